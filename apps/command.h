@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <functional>
+
+namespace gestalt::app {
+
+/// What the chosen subcommand does; gives the exit code.
+using Run = std::function<int()>;
+
+enum Exit { success = 0, run_failed = 1, wrong_usage = 2, unusable_input = 3 };
+
+// Each adds its subcommand to the command line and, when it is chosen, sets run. One file each.
+void add_segment(CLI::App& app, Run& run);
+void add_train(CLI::App& app, Run& run);
+void add_evaluate(CLI::App& app, Run& run);
+void add_synthesize(CLI::App& app, Run& run);
+void add_plugins(CLI::App& app, Run& run);
+void add_config(CLI::App& app, Run& run);
+void add_info(CLI::App& app, Run& run);
+
+}  // namespace gestalt::app

@@ -1,0 +1,28 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "pipeline_options.h"
+
+namespace gestalt::app {
+
+void add_pipeline_options(CLI::App& command, PipelineOptions& options) {
+  command.add_option("--config", options.config, "Config file (default: the installed paper.yaml)")->type_name("FILE");
+  command
+      .add_option("--set", options.overrides,
+                  "Override a value of the config: structural.minimum_size=50, or structural.relations.gabor=off to "
+                  "take a component out of a list")
+      ->type_name("PATH=VALUE")
+      ->expected(1)
+      ->take_all();
+  command.add_option("--threads", options.threads, "Threads to use; the result is the same for any number")
+      ->check(CLI::Range(0, 1024));
+}
+
+LoadedConfig load_config(const PipelineOptions& options) {
+  ConfigTree tree(options.config.empty() ? default_config() : options.config, options.overrides);
+  Registry registry(plugin_search_path(tree.plugin_directories()));
+  Config config = tree.resolve(registry);
+  return {std::move(tree), std::move(registry), std::move(config)};
+}
+
+}  // namespace gestalt::app

@@ -1,0 +1,27 @@
+# SPDX-FileCopyrightText: 2026 The Gestalt authors
+# SPDX-License-Identifier: BSD-3-Clause
+
+# PCL's and OpenCV's own config files pull in every component, VTK included; only what is used is looked for here.
+find_package(Eigen3 3.4 REQUIRED NO_MODULE)
+find_package(Threads REQUIRED)
+find_package(TBB REQUIRED)
+find_package(yaml-cpp 0.7 REQUIRED)
+find_package(nlohmann_json 3.11 REQUIRED)
+find_package(Boost 1.74 REQUIRED COMPONENTS filesystem system)
+find_package(GTest REQUIRED)
+
+function(gestalt_library target header)
+  find_path(${target}_INCLUDE ${header} PATH_SUFFIXES opencv4 pcl-1.13 libsvm REQUIRED)
+  find_library(${target}_LIBRARY ${target} REQUIRED)
+  add_library(gestalt::${target} INTERFACE IMPORTED GLOBAL)
+  target_include_directories(gestalt::${target} SYSTEM INTERFACE ${${target}_INCLUDE})
+  target_link_libraries(gestalt::${target} INTERFACE ${${target}_LIBRARY})
+endfunction()
+
+foreach(module core imgproc imgcodecs ml)
+  gestalt_library(opencv_${module} opencv2/${module}.hpp)
+endforeach()
+foreach(module common io)
+  gestalt_library(pcl_${module} pcl/pcl_config.h)
+endforeach()
+gestalt_library(svm svm.h)

@@ -1,0 +1,75 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json_fwd.hpp>
+#include <string>
+#include <vector>
+
+#include "gestalt/parameters.h"
+#include "gestalt/registry.h"
+
+namespace gestalt {
+
+/// One component as the config asks for it. In YAML: `{plugin: gabor, params: {...}}`, or the bare name. In a list the
+/// name under which lists merge is the plugin's, or that of the key `name:`.
+struct ComponentConfig {
+  std::string name;
+  std::string plugin;
+  ParameterValues params;  ///< complete: defaults filled in
+};
+
+/// A resolved, validated config.
+struct Config {
+  ComponentConfig clusterer;               ///< signal.clusterer
+  std::vector<ComponentConfig> fitters;    ///< primitive.fitters, not empty
+  ParameterValues surface_modelling;       ///< primitive.model_selection
+  std::vector<ComponentConfig> relations;  ///< structural.relations, not empty
+  ComponentConfig classifier;              ///< structural.classifier
+  std::filesystem::path model;             ///< structural.model, resolved; empty when the config names none
+  int minimum_size = 30;                   ///< structural.minimum_size, pixels
+  ComponentConfig solver;                  ///< decision.solver
+};
+
+/// A config file with everything it extends and the command line's overrides merged, before it is validated: that needs
+/// the plugins, whose directories only the config knows. Keeps for every value where it came from.
+class GESTALT_EXPORT ConfigTree {
+ public:
+  /// Reads a config. overrides are "path=value" of the command line, applied in order: `structural.relations.gabor=off`
+  /// takes a component out of a list, `=on` puts one in, any other path sets a value.
+  /// Throws ConfigError when a file cannot be read or is no YAML, or extends itself; what else is wrong is reported by
+  /// resolve(), all together.
+  ConfigTree(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+  ~ConfigTree();
+  ConfigTree(ConfigTree&&) noexcept;
+  ConfigTree& operator=(ConfigTree&&) noexcept;
+
+  /// plugin_directories of the config; relative entries are relative to the file they stand in.
+  std::vector<std::filesystem::path> plugin_directories() const;
+
+  /// Validates against the plugins' declarations. Throws ConfigError with every error of the config together, each
+  /// `file:line:column: path: message`, lines and columns counted from 1, with the closest valid key.
+  Config resolve(const Registry& registry) const;
+
+  /// The resolved config as YAML that reads back to the same config; each line ends with a comment that tells where its
+  /// value came from (`# paper.yaml:12`, `# --set`, `# default`).
+  std::string print(const Registry& registry) const;
+
+  /// {"values": the resolved config, "provenance": {"structural.minimum_size": "paper.yaml:12", ...}}
+  nlohmann::json to_json(const Registry& registry) const;
+
+ private:
+  struct Tree;
+  std::unique_ptr<Tree> tree_;
+};
+
+/// configs/paper.yaml of this installation or build tree. Throws ConfigError when it is not there.
+GESTALT_EXPORT std::filesystem::path default_config();
+
+/// Hexadecimal hash (FNV-1a, 64 bits) of everything in the config that changes relation values: two configs with equal
+/// hashes can share a model.
+GESTALT_EXPORT std::string config_hash(const Config& config);
+
+}  // namespace gestalt

@@ -1,0 +1,59 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gestalt/classifier.h"
+
+namespace gestalt {
+
+/// Linear map of each value's range in the training set to [-1, 1]; values outside are clamped.
+/// A value that was constant in training maps to 0.
+struct GESTALT_EXPORT Scaling {
+  std::vector<double> low;
+  std::vector<double> high;
+
+  static Scaling of(const Samples& raw);
+  void apply(std::span<const double> values, std::span<double> scaled) const;
+};
+
+/// What a model was trained on, for its card and for error messages.
+struct TrainingData {
+  std::vector<std::string> scenes;
+  std::size_t positive_pairs = 0;
+  std::size_t negative_pairs = 0;
+};
+
+/// A trained classifier of one level with all that is needed to judge a pair.
+struct GESTALT_EXPORT Model {
+  std::vector<std::string> names;  ///< relation values in order
+  Scaling scaling;
+  std::string classifier;  ///< plugin that made it
+  std::string config_hash;
+  TrainingData training;
+  std::shared_ptr<const Predictor> predictor;
+
+  /// p(same | r) for raw relation values in the order of names.
+  double probability(std::span<const double> values) const;
+};
+
+/// Scales the samples, trains, and bundles the result. samples hold raw values.
+GESTALT_EXPORT Model train_model(const Classifier& classifier, std::string classifier_name,
+                                 std::vector<std::string> names, const Samples& samples, TrainingData training,
+                                 std::string config_hash);
+
+/// Writes JSON under a temporary name, then renames. Throws OutputError.
+GESTALT_EXPORT void write_model(const std::filesystem::path& file, const Model& model);
+
+/// Reads a model for a config. Throws ModelError, naming the file and the remedy, when the file is no model, was made
+/// by another classifier plugin, or has other relation values than names (the difference is named).
+GESTALT_EXPORT Model read_model(const std::filesystem::path& file, const Classifier& classifier,
+                                const std::string& classifier_name, const std::vector<std::string>& names);
+
+}  // namespace gestalt

@@ -1,0 +1,56 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gestalt/scene.h"
+
+namespace gestalt {
+
+/// Name and range of one value that a relation gives.
+struct RelationValue {
+  std::string name;  ///< the paper's name, e.g. "r_co"; unique within a config
+  double low;        ///< the value lies in [low, high]; infinite where it has no bound
+  double high;
+  std::string text;  ///< one line: what it measures, its unit, its value for degenerate patches
+};
+
+/// Two surfaces whose relation is asked for. border is null when they do not touch in the image.
+struct SurfacePair {
+  int a;
+  int b;
+  const Adjacency* border;
+};
+
+/// A relation bound to one scene: descriptors of all patches are there, a pair is cheap.
+class GESTALT_EXPORT Measure {
+ public:
+  virtual ~Measure();
+
+  /// Writes the relation's values for the pair, in declared order. Const, thread-safe, symmetric in a and b, and
+  /// finite and in the declared range for any two non-empty surfaces.
+  virtual void operator()(const SurfacePair& pair, std::span<double> values) const = 0;
+};
+
+/// Structural and assembly level (Eq. 9 and 11): a Gestalt relation between two surfaces.
+class GESTALT_EXPORT Relation {
+ public:
+  virtual ~Relation();
+
+  virtual const std::vector<RelationValue>& values() const = 0;
+
+  /// True when bind() reads the colour image.
+  virtual bool needs_colour() const { return false; }
+
+  /// True when the values mean something only for surfaces that touch in the image.
+  virtual bool needs_border() const { return false; }
+
+  /// Computes the descriptors of every surface. The scene outlives the measure. Const and thread-safe.
+  virtual std::unique_ptr<Measure> bind(const Scene& scene) const = 0;
+};
+
+}  // namespace gestalt

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <span>
+#include <string>
+#include <vector>
+
+#include "gestalt/relation.h"
+
+namespace gestalt {
+
+/// Relation values of pairs of surfaces: one row a pair, one column a named value.
+struct RelationTable {
+  struct Pair {
+    int a;  ///< a < b
+    int b;
+  };
+  std::vector<std::string> names;  ///< columns, in the order of the config
+  std::vector<Pair> pairs;         ///< rows, sorted by (a, b)
+  std::vector<double> values;      ///< row-major
+
+  std::span<const double> row(std::size_t i) const { return {values.data() + i * names.size(), names.size()}; }
+};
+
+/// A relation with the name under which the config uses it.
+struct NamedRelation {
+  std::string name;
+  std::shared_ptr<const Relation> relation;
+};
+
+/// Value names of the relations, in order. Throws ConfigError when two give a value of the same name.
+GESTALT_EXPORT std::vector<std::string> value_names(const std::vector<NamedRelation>& relations);
+
+/// Structural level: the values of all relations for all pairs of 3D neighbours of which both have at least
+/// minimum_size pixels. Throws PluginError naming the relation when a value is not finite or out of its declared range.
+GESTALT_EXPORT RelationTable relate_neighbours(const Scene& scene, const std::vector<NamedRelation>& relations,
+                                               int minimum_size);
+
+}  // namespace gestalt

@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <mutex>
+#include <opencv2/core.hpp>
+
+#include "gestalt/frame.h"
+#include "gestalt/patch_map.h"
+#include "gestalt/surface_set.h"
+
+namespace gestalt {
+
+/// What a relation sees of a frame: the results of the levels below, and images derived from them that several
+/// relations share. Each derived image is made once, by whoever asks first; asking is thread-safe.
+/// Keeps references: frame, patches and surfaces must outlive it.
+class GESTALT_EXPORT Scene {
+ public:
+  Scene(const Frame& frame, const PatchMap& patches, const SurfaceSet& surfaces);
+  Scene(const Scene&) = delete;
+  Scene& operator=(const Scene&) = delete;
+
+  const Frame& frame() const { return frame_; }
+  const PatchMap& patches() const { return patches_; }
+  const SurfaceSet& surfaces() const { return surfaces_; }
+
+  /// CV_8UC1. Throws InputError when the frame has no colour.
+  const cv::Mat& grey() const;
+
+  /// CV_8UC3 in the order Y, U, V. Throws InputError when the frame has no colour.
+  const cv::Mat& yuv() const;
+
+ private:
+  const Frame& frame_;
+  const PatchMap& patches_;
+  const SurfaceSet& surfaces_;
+  mutable std::once_flag grey_once_, yuv_once_;
+  mutable cv::Mat grey_, yuv_;
+};
+
+}  // namespace gestalt

@@ -1,0 +1,54 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cmath>
+#include <unordered_map>
+
+#include "gestalt/surface_modelling.h"
+
+namespace gestalt {
+
+std::vector<Adjacency> find_adjacencies(const Frame& frame, const cv::Mat_<int>& labels,
+                                        const SurfaceModellingParams& params) {
+  std::vector<Adjacency> adjacencies;
+  std::unordered_map<std::uint64_t, std::size_t> index;
+  const int width = labels.cols, height = labels.rows;
+  const auto touch = [&](int p, int q, int label_p, int label_q) {
+    if (label_p > label_q) {
+      std::swap(p, q);
+      std::swap(label_p, label_q);
+    }
+    const std::uint64_t key = (std::uint64_t(label_p) << 32) | std::uint32_t(label_q);
+    const auto [entry, fresh] = index.try_emplace(key, adjacencies.size());
+    if (fresh) adjacencies.push_back({label_p - 1, label_q - 1, {}, {}});
+    Adjacency& adjacency = adjacencies[entry->second];
+    adjacency.border_2d.push_back({p, q});
+    const float zp = frame.depth(p), zq = frame.depth(q);
+    if (std::abs(zp - zq) < params.border_depth_per_metre * std::min(zp, zq)) adjacency.border_3d.push_back({p, q});
+  };
+  for (int v = 0; v < height; ++v) {
+    const int* row = labels[v];
+    const int* below = v + 1 < height ? labels[v + 1] : nullptr;
+    for (int u = 0; u < width; ++u) {
+      const int own = row[u];
+      if (own == 0) continue;
+      const int p = v * width + u;
+      const auto look = [&](const int* line, int du, int q) {
+        if (u + du < 0 || u + du >= width) return;
+        if (const int other = line[u + du]; other != 0 && other != own) touch(p, q, own, other);
+      };
+      look(row, 1, p + 1);
+      if (below) {
+        look(below, -1, p + width - 1);
+        look(below, 0, p + width);
+        look(below, 1, p + width + 1);
+      }
+    }
+  }
+  std::sort(adjacencies.begin(), adjacencies.end(),
+            [](const Adjacency& x, const Adjacency& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
+  return adjacencies;
+}
+
+}  // namespace gestalt

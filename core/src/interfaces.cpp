@@ -1,0 +1,41 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Out-of-line destructors: one vtable and one typeinfo for each interface, in the core, so that exceptions and casts
+// work across plugins.
+
+#include <nlohmann/json.hpp>
+
+#include "gestalt/classifier.h"
+#include "gestalt/clusterer.h"
+#include "gestalt/error.h"
+#include "gestalt/fitter.h"
+#include "gestalt/relation.h"
+#include "gestalt/solver.h"
+
+namespace gestalt {
+
+Error::~Error() = default;
+ConfigError::~ConfigError() = default;
+PluginError::~PluginError() = default;
+ModelError::~ModelError() = default;
+InputError::~InputError() = default;
+OutputError::~OutputError() = default;
+
+Clusterer::~Clusterer() = default;
+Fitter::~Fitter() = default;
+SurfaceModel::~SurfaceModel() = default;
+Relation::~Relation() = default;
+Measure::~Measure() = default;
+Classifier::~Classifier() = default;
+Predictor::~Predictor() = default;
+Solver::~Solver() = default;
+
+float SurfaceModel::squared_distance(const Eigen::Vector3f& p) const { return (foot(p).point - p).squaredNorm(); }
+
+std::shared_ptr<const SurfaceModel> Fitter::fit_merged(const SurfaceModel&, const SurfaceModel&,
+                                                       std::span<const Eigen::Vector3f> points) const {
+  return fit(points);
+}
+
+}  // namespace gestalt

@@ -1,0 +1,46 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <string>
+#include <vector>
+
+#include "gestalt/frame.h"
+#include "gestalt/patch_map.h"
+#include "gestalt/surface_set.h"
+
+namespace gestalt::test {
+
+/// The Kinect's intrinsics (f = 525 px at 640x480), scaled to the image size.
+Camera kinect(int width = 640, int height = 480);
+
+/// A rectangle of pixels that shows a plane in one colour. Later patches cover earlier ones.
+struct PlanarPatch {
+  cv::Rect pixels;
+  Eigen::Vector3f point;            ///< any point of the plane, metres
+  Eigen::Vector3f normal;           ///< turned towards the camera by the renderer
+  cv::Vec3b colour{128, 128, 128};  ///< blue, green, red
+};
+
+/// A frame with known geometry and the exact results of the levels below the relations: one surface for each patch
+/// that is visible, in order, with its exact plane as model.
+struct KnownScene {
+  Frame frame;
+  PatchMap patches;
+  SurfaceSet surfaces;
+};
+
+KnownScene render(const std::vector<PlanarPatch>& patches, const Camera& camera = kinect());
+
+/// The exact plane through a point, as a surface model of type "plane".
+std::shared_ptr<const SurfaceModel> exact_plane(const Eigen::Vector3f& point, Eigen::Vector3f normal);
+
+/// A box's two visible faces that meet in a vertical ridge in the image's middle, each at 45 degrees to the view:
+/// convex (the ridge points at the camera) or concave. Surface 0 is left, 1 right. The ridge is 1 m away.
+KnownScene ridge(bool convex);
+
+/// A wall 1.5 m away (surface 0) and a rectangle 1 m away in front of it (surface 1).
+KnownScene rectangle_before_wall();
+
+}  // namespace gestalt::test
