@@ -33,9 +33,12 @@ Solver::~Solver() = default;
 
 float SurfaceModel::squared_distance(const Eigen::Vector3f& p) const { return (foot(p).point - p).squaredNorm(); }
 
-std::shared_ptr<const SurfaceModel> Fitter::fit_merged(const SurfaceModel&, const SurfaceModel&,
-                                                       std::span<const Eigen::Vector3f> points) const {
-  return fit(points);
+std::shared_ptr<const SurfaceModel> Fitter::fit_merged(const SurfaceModel&, std::span<const Eigen::Vector3f> points_a,
+                                                       const SurfaceModel&,
+                                                       std::span<const Eigen::Vector3f> points_b) const {
+  std::vector<Eigen::Vector3f> joined(points_a.begin(), points_a.end());
+  joined.insert(joined.end(), points_b.begin(), points_b.end());
+  return fit(joined);
 }
 
 }  // namespace gestalt

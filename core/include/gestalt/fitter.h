@@ -47,10 +47,12 @@ class GESTALT_EXPORT Fitter {
   /// The caller falls back to the next fitter; the first fitter of a config must accept any non-empty patch.
   virtual std::shared_ptr<const SurfaceModel> fit(std::span<const Eigen::Vector3f> points) const = 0;
 
-  /// Fits one surface to two patches that this fitter has modelled before. The default fits the joined points anew;
-  /// a fitter whose normal equations add up overrides it. points are those of a followed by those of b.
-  virtual std::shared_ptr<const SurfaceModel> fit_merged(const SurfaceModel& a, const SurfaceModel& b,
-                                                         std::span<const Eigen::Vector3f> points) const;
+  /// Fits one surface to the joined points of two patches that this fitter has modelled before, a and b. The default
+  /// fits anew; a fitter whose normal equations add up overrides it.
+  virtual std::shared_ptr<const SurfaceModel> fit_merged(const SurfaceModel& a,
+                                                         std::span<const Eigen::Vector3f> points_a,
+                                                         const SurfaceModel& b,
+                                                         std::span<const Eigen::Vector3f> points_b) const;
 };
 
 }  // namespace gestalt

@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include "gestalt/clusterer.h"
+#include "gestalt/parameters.h"
+#include "normal_estimation.h"
+#include "patch_growing.h"
+
+namespace gestalt {
+
+/// Planar patches by recursive clustering of z-adaptive normals (paper, Section 3, on one level of the pyramid).
+class Normals final : public Clusterer {
+ public:
+  struct Params : NormalParams, GrowingParams {};
+  static const Parameters<Params>& parameters();
+
+  explicit Normals(const Params& params) : params_(params) {}
+  PatchMap cluster(const Frame& frame) const override;
+
+ private:
+  Params params_;
+};
+
+}  // namespace gestalt

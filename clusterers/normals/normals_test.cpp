@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "normals.h"
+
+#include <gtest/gtest.h>
+
+#include "test_scenes.h"
+
+namespace gestalt {
+namespace {
+
+int label_at(const PatchMap& map, int u, int v) { return map.labels(v, u); }
+
+TEST(Normals, OfAPlaneAreItsNormal) {
+  const auto scene = test::ridge(true);
+  const NormalMap map = estimate_normals(scene.frame, {});
+  const cv::Vec3f left = map.normals(240, 270), right = map.normals(240, 370);
+  EXPECT_NEAR(left[0], -std::sqrt(0.5f), 2e-3);
+  EXPECT_NEAR(right[0], std::sqrt(0.5f), 2e-3);
+  EXPECT_NEAR(left[2], -std::sqrt(0.5f), 2e-3);
+  EXPECT_LT(map.curvature(240, 270), 1e-4f);
+  EXPECT_GT(map.curvature(240, 320), 1e-2f);
+  EXPECT_EQ(map.curvature(0, 0), 1.f);
+}
+
+TEST(Normals, DoNotCrossADepthJump) {
+  const auto scene = test::rectangle_before_wall();
+  const NormalMap map = estimate_normals(scene.frame, {});
+  for (const int u : {257, 258, 259, 260, 261, 262}) EXPECT_LT(map.normals(240, u)[2], -0.999f) << u;
+}
+
+TEST(Normals, CutsARidgeInTwoPatches) {
+  const PatchMap map = Normals({}).cluster(test::ridge(true).frame);
+  EXPECT_EQ(map.count, 2);
+  EXPECT_NE(label_at(map, 240, 240), label_at(map, 400, 240));
+  EXPECT_EQ(label_at(map, 240, 150), label_at(map, 240, 330));
+  EXPECT_EQ(label_at(map, 0, 0), 0);
+}
+
+TEST(Normals, CutsAStepInParallelPlanes) {
+  const PatchMap map = Normals({}).cluster(test::rectangle_before_wall().frame);
+  EXPECT_EQ(map.count, 2);
+  EXPECT_NE(label_at(map, 320, 240), label_at(map, 120, 240));
+  EXPECT_EQ(label_at(map, 520, 240), label_at(map, 120, 240));
+}
+
+TEST(Normals, GivesASinglePixelItsOwnPatch) {
+  const auto scene = test::render({{{3, 2, 1, 1}, {0, 0, 1}, {0, 0, -1}}}, test::kinect(8, 6));
+  const PatchMap map = Normals({}).cluster(scene.frame);
+  EXPECT_EQ(map.count, 1);
+  EXPECT_EQ(label_at(map, 3, 2), 1);
+  EXPECT_EQ(cv::countNonZero(map.labels), 1);
+}
+
+TEST(Normals, LabelsEveryValidPixelAndLeavesNoGap) {
+  const auto scene = test::rectangle_before_wall();
+  const PatchMap map = Normals({}).cluster(scene.frame);
+  std::vector<int> used(std::size_t(map.count) + 1, 0);
+  for (int p = 0; p < int(map.labels.total()); ++p) {
+    EXPECT_EQ(map.labels.ptr<int>()[p] > 0, scene.frame.valid(p));
+    used[std::size_t(map.labels.ptr<int>()[p])] = 1;
+  }
+  for (const int u : used) EXPECT_EQ(u, 1);
+}
+
+}  // namespace
+}  // namespace gestalt
