@@ -54,8 +54,7 @@ class GESTALT_EXPORT Pipeline {
   Percept perceive(const Frame& frame) const;
 
   /// Classification of the pairs and the global decision.
-  Segmentation decide(const Frame& frame, const Percept& percept, const Model& model,
-                      LevelTimes* times = nullptr) const;
+  Segmentation decide(const Percept& percept, const Model& model, LevelTimes* times = nullptr) const;
 
  private:
   Config config_;
