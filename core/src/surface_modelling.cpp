@@ -59,21 +59,23 @@ class SurfaceModeller {
                         " points; put 'plane' first in primitive.fitters");
   }
 
-  /// The best single surface for two patches. gain > 0 when it is a better description than the two (Eq. 8); all terms
-  /// are normalised by A_m, the size of the merged patch.
+  /// The best single surface for two patches. gain > 0 when it is a better description than the two (Eq. 8). A_m is the
+  /// size of the smaller patch: normalised by the merged size, a table would swallow every small patch beside it, for
+  /// however badly it explains that patch, the share of its points in the whole is small.
   Merger merge(const Candidate& a, const Candidate& b) const {
-    const double size = double(a.points.size() + b.points.size());
-    const double apart = cost(a.fitter) + cost(b.fitter) + params_.kappa_2 * (a.error + b.error) / size;
+    const auto size = a.points.size() + b.points.size();
+    const auto normalisation = double(std::min(a.points.size(), b.points.size()));
+    const double apart = cost(a.fitter) + cost(b.fitter) + params_.kappa_2 * (a.error + b.error) / normalisation;
     Merger best;
     best.gain = -std::numeric_limits<double>::infinity();
     for (std::size_t f = 0; f < fitters_.size(); ++f) {
-      if (f > 0 && size > params_.largest_patch) break;
+      if (f > 0 && int(size) > params_.largest_patch) break;
       const auto model = a.fitter == f && b.fitter == f
                              ? fitters_[f]->fit_merged(*a.model, a.points, *b.model, b.points)
                              : fit_joined(*fitters_[f], a, b);
       if (!model) continue;
       const double error = error_of(*model, a.points) + error_of(*model, b.points);
-      const double gain = apart - cost(f) - params_.kappa_2 * error / size;
+      const double gain = apart - cost(f) - params_.kappa_2 * error / normalisation;
       if (gain > best.gain) best = {model, f, error, gain};
     }
     return best;
