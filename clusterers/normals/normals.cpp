@@ -27,10 +27,10 @@ const Parameters<Normals::Params>& Normals::parameters() {
                 "growth of that distance with depth")
           .integer("min_patch_size", static_cast<int P::*>(&P::min_patch_size), 1, 1000000, "px",
                    "smaller patches are dissolved; their pixels are clustered by connectivity")
-          .integer("spur_neighbours", static_cast<int P::*>(&P::spur_neighbours), 0, 8, "px",
-                   "a pixel with fewer 8-neighbours of its own patch is a spur")
+          .integer("spur_radius", static_cast<int P::*>(&P::spur_radius), 0, 50, "px",
+                   "strips thinner than twice this and a pixel are given to the patches beside them")
           .real("spur_distance", static_cast<double P::*>(&P::spur_distance), 0, 1, "m",
-                "a spur joins the touching patch whose nearest pixel is at most this far away");
+                "a left-over pixel joins a patch that it touches within this distance");
   return parameters;
 }
 

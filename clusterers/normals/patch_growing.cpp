@@ -7,6 +7,8 @@
 #include <array>
 #include <cmath>
 #include <numeric>
+#include <queue>
+#include <tuple>
 #include <vector>
 
 namespace gestalt {
@@ -39,9 +41,15 @@ struct RunningPlane {
   float offset = 0;
 
   void add(const Eigen::Vector3f& point, const Eigen::Vector3f& n) {
+    sum(point, n);
+    update();
+  }
+  void sum(const Eigen::Vector3f& point, const Eigen::Vector3f& n) {
     point_sum += point.cast<double>();
     normal_sum += n.cast<double>();
     count += 1;
+  }
+  void update() {
     normal = normal_sum.normalized().cast<float>();
     offset = -float(normal_sum.normalized().dot(point_sum) / count);
   }
@@ -60,7 +68,58 @@ class Growing {
     }
   }
 
-  /// Clusters what is in no patch by connectivity; depth jumps separate.
+  /// Takes from every patch what a square of 2 * spur_radius + 1 pixels within it cannot reach: strips along creases
+  /// and depth jumps, where a normal mixes two surfaces, and the thin ends of patches that crept along them.
+  void cut_spurs() {
+    const int radius = params_.spur_radius;
+    if (radius == 0) return;
+    const cv::Mat_<int> before = labels_.clone();
+    const cv::Mat_<std::uint8_t> core = cores(radius);
+    labels_.setTo(0);
+    for (int v = 0; v < labels_.rows; ++v)
+      for (int u = 0; u < labels_.cols; ++u) {
+        if (!core(v, u)) continue;
+        for (int dv = -radius; dv <= radius; ++dv) {
+          const int* row = before[v + dv];
+          std::copy(row + u - radius, row + u + radius + 1, labels_[v + dv] + u - radius);
+        }
+      }
+  }
+
+  /// Gives pixels without a patch to a touching patch, the one whose plane is nearest first, when they lie within
+  /// omega(z) of it and within spur_distance of the touching pixel.
+  void reassign_leftovers() {
+    struct Offer {
+      float distance;
+      int pixel, patch;
+      bool operator<(const Offer& other) const {  // the queue's top is the smallest
+        return std::tie(other.distance, other.pixel, other.patch) < std::tie(distance, pixel, patch);
+      }
+    };
+    const std::vector<RunningPlane> planes = planes_of_patches();
+    std::priority_queue<Offer> offers;
+    const auto offer = [&](int from, int to) {
+      if (label(to) != 0 || !frame_.valid(to)) return;
+      const Eigen::Vector3f p = frame_.point(to);
+      if ((p - frame_.point(from)).norm() > float(params_.spur_distance)) return;
+      const float distance = planes[std::size_t(label(from))].distance(p);
+      if (distance <= omega(p.z())) offers.push({distance, to, label(from)});
+    };
+    for (int p = 0; p < int(labels_.total()); ++p)
+      if (label(p) == 0 && frame_.valid(p))
+        for_neighbours_4(p, [&](int q) {
+          if (label(q) != 0) offer(q, p);
+        });
+    while (!offers.empty()) {
+      const Offer best = offers.top();
+      offers.pop();
+      if (label(best.pixel) != 0) continue;
+      label(best.pixel) = best.patch;
+      for_neighbours_4(best.pixel, [&](int q) { offer(best.pixel, q); });
+    }
+  }
+
+  /// Clusters what is still in no patch by connectivity; depth jumps separate.
   void gather_leftovers() {
     for (int seed = 0; seed < int(labels_.total()); ++seed) {
       if (label(seed) != 0 || !frame_.valid(seed)) continue;
@@ -75,26 +134,6 @@ class Growing {
           label(q) = count_;
           front_.push_back(q);
         });
-    }
-  }
-
-  /// Pixels with few 8-neighbours of their own patch go to the touching patch whose pixel is nearest.
-  void move_spurs() {
-    const cv::Mat_<int> before = labels_.clone();
-    const float reach = float(params_.spur_distance);
-    for (int p = 0; p < int(labels_.total()); ++p) {
-      const int own = before.ptr<int>()[p];
-      if (own == 0) continue;
-      int equal = 0, nearest = 0;
-      float nearest_distance = reach;
-      for_neighbours_8(p, [&](int q) {
-        const int other = before.ptr<int>()[q];
-        if (other == own) ++equal;
-        if (other == own || other == 0) return;
-        const float d = (frame_.point(p) - frame_.point(q)).norm();
-        if (d < nearest_distance || (d == nearest_distance && nearest == 0)) nearest_distance = d, nearest = other;
-      });
-      if (equal < params_.spur_neighbours && nearest != 0) label(p) = nearest;
     }
   }
 
@@ -117,6 +156,37 @@ class Growing {
   Eigen::Vector3f normal(int pixel) const {
     const cv::Vec3f& n = normals_.normals.ptr<cv::Vec3f>()[pixel];
     return {n[0], n[1], n[2]};
+  }
+
+  /// Marks the pixels around which the whole square is of one patch.
+  cv::Mat_<std::uint8_t> cores(int radius) const {
+    const int side = 2 * radius + 1;
+    // run: how many pixels to the left, including this one, are of one patch; stack: how many rows above have full
+    // runs.
+    cv::Mat_<std::uint8_t> core(labels_.size(), std::uint8_t{0});
+    std::vector<int> stack(std::size_t(width_), 0);
+    for (int v = 0; v < labels_.rows; ++v) {
+      const int* row = labels_[v];
+      const int* above = v > 0 ? labels_[v - 1] : nullptr;
+      int run = 0;
+      for (int u = 0; u < width_; ++u) {
+        run = row[u] == 0 ? 0 : u > 0 && row[u] == row[u - 1] ? run + 1 : 1;
+        int& rows = stack[std::size_t(u)];
+        rows = run < side ? 0 : above && above[u] == row[u] ? rows + 1 : 1;
+        if (rows >= side) core(v - radius, u - radius) = 1;
+      }
+    }
+    return core;
+  }
+
+  /// Mean planes by label.
+  std::vector<RunningPlane> planes_of_patches() const {
+    std::vector<RunningPlane> planes(std::size_t(count_) + 1);
+    for (int p = 0; p < int(labels_.total()); ++p)
+      if (const int own = labels_.ptr<int>()[p]; own != 0) planes[std::size_t(own)].sum(frame_.point(p), normal(p));
+    for (RunningPlane& plane : planes)
+      if (plane.count > 0) plane.update();
+    return planes;
   }
 
   void grow(int seed) {
@@ -149,14 +219,6 @@ class Growing {
     if (p + width_ < int(labels_.total())) f(p + width_);
   }
 
-  template <class F>
-  void for_neighbours_8(int p, F f) const {
-    const int u = p % width_, v = p / width_;
-    for (int dv = v > 0 ? -1 : 0; dv <= (v + 1 < labels_.rows ? 1 : 0); ++dv)
-      for (int du = u > 0 ? -1 : 0; du <= (u + 1 < width_ ? 1 : 0); ++du)
-        if (dv != 0 || du != 0) f(p + dv * width_ + du);
-  }
-
   const Frame& frame_;
   const NormalMap& normals_;
   const GrowingParams& params_;
@@ -171,8 +233,9 @@ class Growing {
 cv::Mat_<int> grow_patches(const Frame& frame, const NormalMap& normals, const GrowingParams& params, int& count) {
   Growing growing(frame, normals, params);
   growing.grow_from_seeds();
+  growing.cut_spurs();
+  growing.reassign_leftovers();
   growing.gather_leftovers();
-  growing.move_spurs();
   return growing.finish(count);
 }
 
