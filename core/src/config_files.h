@@ -1,0 +1,18 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "config_node.h"
+#include "config_problems.h"
+
+namespace gestalt::config {
+
+/// Reads a config file and the chain of files that it extends; the file itself comes last. Each root is a mapping, or
+/// empty with a problem added. Throws ConfigError for a file that cannot be read or is no YAML, and a chain that comes
+/// back to itself or is longer than 16 files; other problems are added.
+std::vector<Node> read_files(const std::filesystem::path& file, Problems& problems);
+
+}  // namespace gestalt::config

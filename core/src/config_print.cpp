@@ -1,0 +1,140 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "config_print.h"
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+namespace gestalt::config {
+
+namespace {
+
+using nlohmann::json;
+
+/// Text in double quotes; JSON's escapes are also YAML's.
+std::string quoted(const std::string& text) { return json(text).dump(-1, ' ', false, json::error_handler_t::replace); }
+
+/// A name as it is where YAML reads it as text, else in quotes.
+std::string word(const std::string& text) {
+  static const std::string letters = "abcdefghijklmnopqrstuvwxyzABCDEFGHIJKLMNOPQRSTUVWXYZ_";
+  static const std::set<std::string> special{"null", "Null", "NULL", "on", "off", "true", "false", "yes", "no"};
+  const bool plain = !text.empty() && letters.find(text[0]) != std::string::npos &&
+                     text.find_first_not_of(letters + "0123456789-") == std::string::npos && !special.contains(text);
+  return plain ? text : quoted(text);
+}
+
+json parameter_values(const ParameterValues& values) {
+  json object = json::object();
+  for (const auto& [name, value] : values) std::visit([&, &key = name](const auto& v) { object[key] = v; }, value);
+  return object;
+}
+
+class Yaml {
+ public:
+  explicit Yaml(const Resolution& resolution) : resolution_(resolution) {}
+
+  std::string write() {
+    const Config& config = resolution_.config;
+    text_ = "schema_version: 1\n";
+    write_directories();
+    section(0, "signal");
+    write_component(1, "clusterer", "signal.clusterer", config.clusterer);
+    section(0, "primitive");
+    write_list(1, "fitters", "primitive.fitters", config.fitters, resolution_.removed_fitters);
+    write_values(1, "model_selection", "primitive.model_selection", config.surface_modelling);
+    section(0, "structural");
+    write_list(1, "relations", "structural.relations", config.relations, resolution_.removed_relations);
+    write_component(1, "classifier", "structural.classifier", config.classifier);
+    write_value(1, "model", "structural.model", config.model.empty() ? "none" : quoted(config.model.string()));
+    write_value(1, "minimum_size", "structural.minimum_size", std::to_string(config.minimum_size));
+    section(0, "decision");
+    write_component(1, "solver", "decision.solver", config.solver);
+    return std::move(text_);
+  }
+
+ private:
+  void line(int level, const std::string& content) {
+    text_ += std::string(2 * std::size_t(level), ' ') + content + "\n";
+  }
+  void section(int level, const std::string& key) { line(level, key + ":"); }
+
+  std::string provenance(const std::string& path) const { return "  # " + resolution_.provenance.at(path); }
+
+  void write_value(int level, const std::string& key, const std::string& path, const std::string& value) {
+    line(level, key + ": " + value + provenance(path));
+  }
+
+  void write_directories() {
+    if (!resolution_.plugin_directories.empty()) section(0, "plugin_directories");
+    for (std::size_t i = 0; i < resolution_.plugin_directories.size(); ++i)
+      line(1, "- " + quoted(resolution_.plugin_directories[i].string()) +
+                  provenance("plugin_directories[" + std::to_string(i) + "]"));
+  }
+
+  void write_values(int level, const std::string& key, const std::string& path, const ParameterValues& values) {
+    if (values.empty()) return;
+    section(level, key);
+    for (const auto& [name, value] : values) {
+      const auto* text = std::get_if<std::string>(&value);
+      write_value(level + 1, name, join(path, name), text ? word(*text) : to_string(value));
+    }
+  }
+
+  void write_component(int level, const std::string& key, const std::string& path, const ComponentConfig& component) {
+    section(level, key);
+    write_value(level + 1, "plugin", join(path, "plugin"), word(component.plugin));
+    write_values(level + 1, "params", join(path, "params"), component.params);
+  }
+
+  void write_list(int level, const std::string& key, const std::string& path,
+                  const std::vector<ComponentConfig>& components, const std::vector<std::string>& removed) {
+    section(level, key);
+    for (const ComponentConfig& component : components)
+      write_component(level + 1, word(component.name), join(path, component.name), component);
+    // Only a comment: taken out of a list that does not have it, a component would be an error.
+    for (const std::string& name : removed) line(level + 1, "# " + name + ": off" + provenance(join(path, name)));
+  }
+
+  const Resolution& resolution_;
+  std::string text_;
+};
+
+json component_values(const ComponentConfig& component) {
+  return {{"plugin", component.plugin}, {"params", parameter_values(component.params)}};
+}
+
+/// A JSON object has no order, and that of components counts.
+json list_values(const std::vector<ComponentConfig>& components) {
+  json list = json::array();
+  for (const ComponentConfig& component : components) {
+    list.push_back(component_values(component));
+    list.back()["name"] = component.name;
+  }
+  return list;
+}
+
+}  // namespace
+
+std::string to_yaml(const Resolution& resolution) { return Yaml(resolution).write(); }
+
+json to_json(const Resolution& resolution) {
+  const Config& config = resolution.config;
+  json directories = json::array();
+  for (const auto& directory : resolution.plugin_directories) directories.push_back(directory.string());
+  const json values{
+      {"schema_version", 1},
+      {"plugin_directories", directories},
+      {"signal", {{"clusterer", component_values(config.clusterer)}}},
+      {"primitive",
+       {{"fitters", list_values(config.fitters)}, {"model_selection", parameter_values(config.surface_modelling)}}},
+      {"structural",
+       {{"relations", list_values(config.relations)},
+        {"classifier", component_values(config.classifier)},
+        {"model", config.model.empty() ? json() : json(config.model.string())},
+        {"minimum_size", config.minimum_size}}},
+      {"decision", {{"solver", component_values(config.solver)}}}};
+  return {{"values", values}, {"provenance", resolution.provenance}};
+}
+
+}  // namespace gestalt::config
