@@ -26,7 +26,7 @@ std::string Node::description() const {
     case Kind::null:
       return "nothing";
     case Kind::scalar:
-      return "'" + text + "'";
+      return text.size() <= 80 ? "'" + text + "'" : "'" + text.substr(0, 80) + "...'";
     case Kind::list:
       return "a list";
     case Kind::mapping:

@@ -52,13 +52,15 @@ class Builder final : public YAML::EventHandler {
     node.place = place(mark);
     // The parser places a missing value where it noticed that, which may be lines below its key.
     if (!open_.empty() && open_.back().key) node.place = open_.back().key->place;
-    add(std::move(node), anchor, mark);
+    count(1, mark);
+    add(std::move(node), anchor);
   }
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = complete_.find(anchor);
     if (found == complete_.end()) fail(mark, "the alias stands within the value that it repeats");
-    add(found->second, YAML::NullAnchor, mark);
+    count(size(found->second), mark);
+    add(found->second, YAML::NullAnchor);
   }
 
   void OnScalar(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -66,7 +68,8 @@ class Builder final : public YAML::EventHandler {
     Node node = scalar(value, place(mark));
     node.quoted = tag == "!";
     if (tag != "!") refuse(tag, mark);
-    add(std::move(node), anchor, mark);
+    count(1, mark);
+    add(std::move(node), anchor);
   }
 
   void OnSequenceStart(const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor,
@@ -86,7 +89,6 @@ class Builder final : public YAML::EventHandler {
   struct Open {
     Node node;
     YAML::anchor_t anchor;
-    YAML::Mark mark;
     std::optional<Entry> key;  ///< mapping: the key whose value comes next
   };
 
@@ -109,24 +111,28 @@ class Builder final : public YAML::EventHandler {
 
   void begin(Node::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
     refuse(tag, mark);
+    count(1, mark);
     if (open_.size() == deepest) fail(mark, "values are nested deeper than " + std::to_string(deepest) + " levels");
     Node node;
     node.kind = kind;
     node.place = place(mark);
-    open_.push_back({std::move(node), anchor, mark, {}});
+    open_.push_back({std::move(node), anchor, {}});
   }
 
   void end() {
     Open closed = std::move(open_.back());
     open_.pop_back();
-    add(std::move(closed.node), closed.anchor, closed.mark);
+    add(std::move(closed.node), closed.anchor);
+  }
+
+  /// Aliases of aliases can stand for billions of values.
+  void count(std::size_t values, const YAML::Mark& mark) {
+    values_ += values;
+    if (values_ > most_values) fail(mark, "the text holds more than " + std::to_string(most_values) + " values");
   }
 
   /// Puts a complete node where it belongs.
-  void add(Node node, YAML::anchor_t anchor, const YAML::Mark& mark) {
-    // Aliases of aliases can stand for billions of values.
-    values_ += size(node);
-    if (values_ > most_values) fail(mark, "the text holds more than " + std::to_string(most_values) + " values");
+  void add(Node node, YAML::anchor_t anchor) {
     if (anchor != YAML::NullAnchor) complete_[anchor] = node;
     if (open_.empty()) {
       root_ = std::move(node);

@@ -33,7 +33,7 @@ struct Config {
   ComponentConfig solver;                  ///< decision.solver
 };
 
-/// A config file with everything it extends and the command line's overrides merged, before it is validated: that needs
+/// A config file (docs/config.md) with everything it extends and the command line's overrides merged, before it is validated: that needs
 /// the plugins, whose directories only the config knows. Keeps for every value where it came from.
 class GESTALT_EXPORT ConfigTree {
  public:

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gestalt/config.h"
+
+#include <iostream>
+#include <nlohmann/json.hpp>
+
+#include "command.h"
+#include "pipeline_options.h"
+
+namespace gestalt::app {
+
+namespace {
+
+struct Options {
+  PipelineOptions pipeline;
+  bool json = false;
+};
+
+void add_options(CLI::App& command, PipelineOptions& options) {
+  command.add_option("file", options.config, "Config file (default: the installed paper.yaml)")->type_name("FILE");
+  command
+      .add_option("--set", options.overrides,
+                  "Override a value of the config: structural.minimum_size=50, structural.relations.gabor=off")
+      ->type_name("PATH=VALUE")
+      ->expected(1)
+      ->take_all();
+}
+
+int check(const Options& options) {
+  const LoadedConfig loaded = load_config(options.pipeline);
+  const std::filesystem::path file = options.pipeline.config.empty() ? default_config() : options.pipeline.config;
+  std::cout << file.string() << ": valid, " << loaded.config.relations.size() << " relations, relation values "
+            << config_hash(loaded.config) << '\n';
+  return success;
+}
+
+int print(const Options& options) {
+  const LoadedConfig loaded = load_config(options.pipeline);
+  if (options.json)
+    std::cout << loaded.tree.to_json(loaded.registry).dump(2) << '\n';
+  else
+    std::cout << loaded.tree.print(loaded.registry);
+  return success;
+}
+
+}  // namespace
+
+void add_config(CLI::App& app, Run& run) {
+  auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("config", "Check a config, or print it resolved");
+  command->require_subcommand(1);
+
+  CLI::App* check_command =
+      command->add_subcommand("check", "Tell every error of a config; exit code 2 if there is one");
+  add_options(*check_command, options->pipeline);
+  check_command->callback([options, &run] { run = [options] { return check(*options); }; });
+
+  CLI::App* print_command =
+      command->add_subcommand("print", "Print the config with all values, and where each came from");
+  add_options(*print_command, options->pipeline);
+  print_command->add_flag("--json", options->json, "Print as JSON");
+  print_command->callback([options, &run] { run = [options] { return print(*options); }; });
+}
+
+}  // namespace gestalt::app
