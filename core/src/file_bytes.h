@@ -1,0 +1,13 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+namespace gestalt {
+
+/// The whole content of a regular file, not empty. Throws InputError naming the file and the reason.
+std::string read_bytes(const std::filesystem::path& file);
+
+}  // namespace gestalt

@@ -1,0 +1,107 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <map>
+
+#include "gestalt/error.h"
+#include "gestalt/input.h"
+
+namespace gestalt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+bool digit(char c) { return c >= '0' && c <= '9'; }
+
+/// Numbers inside names compare by value: learn2 < learn10.
+bool natural_less(const std::string& a, const std::string& b) {
+  std::size_t i = 0, j = 0;
+  while (i < a.size() && j < b.size()) {
+    if (!digit(a[i]) || !digit(b[j])) {
+      if (a[i] != b[j]) return static_cast<unsigned char>(a[i]) < static_cast<unsigned char>(b[j]);
+      ++i, ++j;
+      continue;
+    }
+    const auto number = [](const std::string& text, std::size_t& at) {
+      std::size_t end = at;
+      while (end < text.size() && digit(text[end])) ++end;
+      while (at + 1 < end && text[at] == '0') ++at;
+      const std::string digits = text.substr(at, end - at);
+      at = end;
+      return digits;
+    };
+    const std::string m = number(a, i), n = number(b, j);
+    if (m.size() != n.size()) return m.size() < n.size();
+    if (m != n) return m < n;
+  }
+  if ((i < a.size()) != (j < b.size())) return j < b.size();
+  return a < b;  // learn1 and learn01 are equal numbers but two names
+}
+
+bool is_cloud(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return std::tolower(c); });
+  return extension == ".pcd";
+}
+
+bool is_scene_folder(const fs::path& folder) {
+  std::error_code error;
+  return fs::exists(folder / "depth.png", error) || fs::exists(folder / "rgb.png", error);
+}
+
+std::vector<fs::path> scenes_in(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> scenes;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    std::error_code ignored;
+    const fs::path& path = entry->path();
+    if (fs::is_directory(path, ignored) ? is_scene_folder(path) : is_cloud(path)) scenes.push_back(path);
+  }
+  if (error) throw InputError(folder.string() + ": cannot be listed: " + error.message());
+  if (scenes.empty())
+    throw InputError(folder.string() +
+                     ": holds no scene; give a folder with depth.png (and rgb.png), a .pcd file, or a folder of those");
+  std::sort(scenes.begin(), scenes.end(), [](const fs::path& a, const fs::path& b) {
+    return natural_less(a.filename().string(), b.filename().string());
+  });
+  return scenes;
+}
+
+}  // namespace
+
+std::string scene_name(const fs::path& scene) {
+  std::error_code error;
+  fs::path path = fs::absolute(scene, error).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();
+  return (fs::is_directory(path, error) ? path.filename() : path.stem()).string();
+}
+
+std::vector<fs::path> find_scenes(const std::vector<fs::path>& paths) {
+  std::vector<fs::path> scenes;
+  for (const fs::path& path : paths) {
+    std::error_code error;
+    const auto status = fs::status(path, error);
+    if (status.type() == fs::file_type::not_found) throw InputError(path.string() + ": does not exist; check the path");
+    if (error) throw InputError(path.string() + ": cannot be read: " + error.message());
+    if (status.type() == fs::file_type::directory && !is_scene_folder(path)) {
+      const auto inside = scenes_in(path);
+      scenes.insert(scenes.end(), inside.begin(), inside.end());
+    } else if (status.type() == fs::file_type::directory || is_cloud(path)) {
+      scenes.push_back(path);
+    } else {
+      throw InputError(path.string() + ": is no scene; give a scene folder, a .pcd file, or a folder of those");
+    }
+  }
+  std::map<std::string, fs::path> names;
+  for (const fs::path& scene : scenes)
+    if (const auto [other, is_new] = names.emplace(scene_name(scene), scene); !is_new)
+      throw InputError(scene.string() + ": has the same name as " + other->second.string() +
+                       ", their results would be mixed up; give them apart or rename one");
+  return scenes;
+}
+
+}  // namespace gestalt

@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "png_file.h"
+
+#include <boost/crc.hpp>
+#include <opencv2/imgcodecs.hpp>
+#include <string>
+#include <string_view>
+
+#include "file_bytes.h"
+#include "gestalt/error.h"
+
+namespace gestalt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+constexpr std::uint64_t largest_image = std::uint64_t{1} << 26;  // pixels
+constexpr std::uint32_t longest_side = 1u << 20;                 // OpenCV decodes no more
+
+/// What the IHDR chunk declares (PNG specification, 11.2.2).
+struct PngHeader {
+  std::uint32_t width;
+  std::uint32_t height;
+  int bits;         ///< of one sample
+  int colour_type;  ///< 0 grey, 2 RGB, 3 palette, 4 grey and alpha, 6 RGB and alpha
+
+  std::string pixels() const {
+    const char* kind = colour_type == 0   ? "grey"
+                       : colour_type == 2 ? "RGB"
+                       : colour_type == 3 ? "palette"
+                       : colour_type == 4 ? "grey with alpha"
+                       : colour_type == 6 ? "RGB with alpha"
+                                          : "unknown";
+    return std::to_string(bits) + "-bit " + kind;
+  }
+};
+
+std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
+  std::uint32_t value = 0;
+  for (std::size_t i = 0; i < 4; ++i) value = value << 8 | static_cast<unsigned char>(bytes[at + i]);
+  return value;
+}
+
+[[noreturn]] void fail(const fs::path& file, const std::string& what) { throw InputError(file.string() + ": " + what); }
+
+/// Walks all chunks to the end marker and compares their checksums: the decoder fills what is missing with black and
+/// reports damage on stderr, so it must only see complete files.
+PngHeader check_png(const fs::path& file, std::string_view bytes) {
+  constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8);
+  if (!bytes.starts_with(signature))
+    fail(file, "is no PNG image; convert it to PNG (depth: 16-bit grey, in the unit of depth_scale in camera.yaml)");
+  PngHeader header{};
+  for (std::size_t at = signature.size();;) {
+    const auto truncated = [&] {
+      fail(file, "is truncated or damaged at byte " + std::to_string(at) + " of " + std::to_string(bytes.size()) +
+                     "; copy or write it again");
+    };
+    if (bytes.size() - at < 12) truncated();  // length, type, checksum
+    const std::size_t length = big_endian(bytes, at);
+    if (bytes.size() - at - 12 < length) truncated();
+    boost::crc_32_type checksum;
+    checksum.process_bytes(bytes.data() + at + 4, length + 4);
+    if (checksum.checksum() != big_endian(bytes, at + 8 + length)) truncated();
+    const std::string_view type = bytes.substr(at + 4, 4);
+    if (at == signature.size()) {
+      if (type != "IHDR" || length != 13) truncated();
+      header = {big_endian(bytes, at + 8), big_endian(bytes, at + 12), bytes[at + 16], bytes[at + 17]};
+    }
+    at += length + 12;
+    if (type == "IEND") break;
+  }
+  if (header.width == 0 || header.height == 0 || header.width > longest_side || header.height > longest_side ||
+      std::uint64_t{header.width} * header.height > largest_image)
+    fail(file, "declares " + std::to_string(header.width) + "x" + std::to_string(header.height) +
+                   " pixels; images of 1 to 2^26 pixels can be read");
+  return header;
+}
+
+cv::Mat decode(const fs::path& file, std::string& bytes, const PngHeader& header, int flags) {
+  cv::Mat image;
+  try {
+    image = cv::imdecode(cv::Mat(1, int(bytes.size()), CV_8UC1, bytes.data()), flags | cv::IMREAD_IGNORE_ORIENTATION);
+  } catch (const cv::Exception& error) {
+    fail(file, "cannot be decoded (" + error.err + "); write it again");
+  }
+  if (image.cols != int(header.width) || image.rows != int(header.height))
+    fail(file, "cannot be decoded; its pixel data are damaged, write it again");
+  return image;
+}
+
+}  // namespace
+
+cv::Mat read_colour_png(const fs::path& file) {
+  std::string bytes = read_bytes(file);
+  const PngHeader header = check_png(file, bytes);
+  if (header.bits > 8) fail(file, "is " + header.pixels() + "; save colour with 8 bits a channel");
+  return decode(file, bytes, header, cv::IMREAD_COLOR);
+}
+
+cv::Mat_<std::uint16_t> read_depth_png(const fs::path& file) {
+  std::string bytes = read_bytes(file);
+  const PngHeader header = check_png(file, bytes);
+  if (header.bits != 16 || header.colour_type != 0)
+    fail(file, "is " + header.pixels() +
+                   ", depth must be 16-bit grey; save the sensor's depth as uint16 (millimetres, or another unit named "
+                   "by depth_scale in camera.yaml), not a picture of it");
+  return decode(file, bytes, header, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH);
+}
+
+cv::Mat_<std::uint16_t> read_label_png(const fs::path& file) {
+  std::string bytes = read_bytes(file);
+  const PngHeader header = check_png(file, bytes);
+  // Fewer bits would be stretched to 8 by the decoder and so become other labels.
+  if ((header.bits != 8 && header.bits != 16) || header.colour_type != 0)
+    fail(file, "is " + header.pixels() + ", labels must be 8-bit or 16-bit grey; save the label numbers, not colours");
+  cv::Mat_<std::uint16_t> labels;
+  decode(file, bytes, header, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH).convertTo(labels, CV_16U);
+  return labels;
+}
+
+}  // namespace gestalt

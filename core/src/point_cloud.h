@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <opencv2/core.hpp>
+#include <vector>
+
+namespace gestalt {
+
+/// The part of a cloud that a scene needs, in the order of the file (row by row for an organized cloud).
+struct PointCloud {
+  int width = 0;
+  int height = 0;                     ///< 1: unorganized, or an image of one row
+  std::vector<cv::Vec3f> points;      ///< metres, camera frame; may hold NaN and infinite coordinates
+  std::vector<cv::Vec3b> colours;     ///< blue, green, red; empty when the cloud has no field rgb or rgba
+  std::vector<std::uint16_t> labels;  ///< empty when the cloud has no field label
+
+  /// The point can be seen by the camera: its coordinates are finite and it lies before it.
+  bool visible(std::size_t i) const;
+};
+
+/// Reads a PCD file of any data kind and field order: x, y, z (F, 4 or 8 bytes), rgb or rgba (4 bytes), label (I or U).
+/// Throws InputError naming the file, the place and the remedy. Everything is checked before PCL sees the data, as PCL
+/// trusts the header and reports damage on stderr.
+PointCloud read_point_cloud(const std::filesystem::path& file);
+
+}  // namespace gestalt
