@@ -49,7 +49,8 @@ double median_reprojection_error(const PointCloud& cloud, const Camera& camera) 
     if (!cloud.visible(i)) continue;
     const cv::Vec3f& p = cloud.points[i];
     const double u = camera.fx * p[0] / p[2] + camera.cx, v = camera.fy * p[1] / p[2] + camera.cy;
-    errors.push_back(std::hypot(u - double(i % std::size_t(cloud.width)), v - double(i / std::size_t(cloud.width))));
+    const double du = u - double(i % std::size_t(cloud.width)), dv = v - double(i / std::size_t(cloud.width));
+    errors.push_back(std::sqrt(du * du + dv * dv));
   }
   if (errors.empty()) return 0;
   const auto middle = errors.begin() + std::ptrdiff_t(errors.size() / 2);

@@ -50,8 +50,9 @@ Image read_companion(const fs::path& file, Image (*read)(const fs::path&), cv::S
 
 cv::Mat_<float> metres(const cv::Mat_<std::uint16_t>& raw, double scale) {
   cv::Mat_<float> depth(raw.size());
+  const auto* first = raw.ptr<std::uint16_t>();
   // In double, so that a whole number of millimetres becomes the nearest float.
-  std::transform(raw.begin(), raw.end(), depth.begin(), [&](std::uint16_t d) { return float(d * scale); });
+  std::transform(first, first + raw.total(), depth.ptr<float>(), [&](std::uint16_t d) { return float(d * scale); });
   return depth;
 }
 

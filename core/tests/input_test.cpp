@@ -6,9 +6,9 @@
 #include <gtest/gtest.h>
 
 #include <algorithm>
-#include <clocale>
 #include <opencv2/imgcodecs.hpp>
 
+#include "decimal_comma.h"
 #include "gestalt/error.h"
 #include "temporary_folder.h"
 
@@ -163,6 +163,17 @@ TEST_F(SceneFolder, IsRefusedWhenAByteOfAPngIsWrong) {
   }
 }
 
+TEST_F(SceneFolder, IsRefusedWhenPixelDataAreWrongUnderRightChecksums) {
+  // The pixel data of another size: the stream ends before the last row, or rows do not end where they should.
+  for (const cv::Size declared : {cv::Size(4, 4), cv::Size(5, 3), cv::Size(400, 300)}) {
+    const std::string whole = png(depth_4x3()), other = png(cv::Mat::ones(declared, CV_16UC1));
+    folder_.write("s/depth.png", other.substr(0, 33) + whole.substr(33));  // signature and IHDR are 33 bytes
+    testing::internal::CaptureStderr();  // only here the decoder itself finds the fault, and says so
+    EXPECT_THROW(read_scene(scene()), InputError);
+    testing::internal::GetCapturedStderr();
+  }
+}
+
 TEST_F(SceneFolder, IsRefusedForOtherKindsOfDepth) {
   folder_.write("s/depth.png", png(cv::Mat(3, 4, CV_8UC1, cv::Scalar(9))));
   expect_refusal({"depth.png: is 8-bit grey", "uint16", "depth_scale"});
@@ -239,10 +250,10 @@ TEST_F(CameraYaml, GivesAllValues) {
 }
 
 TEST_F(CameraYaml, ReadsTheSameUnderADecimalComma) {
-  if (!std::setlocale(LC_NUMERIC, "de_DE.UTF-8")) GTEST_SKIP() << "the locale de_DE.UTF-8 is not installed";
+  const test::DecimalComma comma;
   const CameraFile c = read_camera(folder_.write("c.yaml", camera_4x3));
-  std::setlocale(LC_NUMERIC, "C");
   EXPECT_DOUBLE_EQ(c.camera.fy, 2.5);
+  EXPECT_NE(refusal("width: 4\nheight: 3\nfx: -1\n").find("from 0.01 to 1e+07"), std::string::npos);
 }
 
 TEST_F(CameraYaml, IsRefusedForMissingKeys) {
