@@ -1,0 +1,306 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gestalt/evaluation.h"
+
+#include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
+
+#include <cstdint>
+#include <exception>
+#include <filesystem>
+#include <iostream>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "command.h"
+#include "gestalt/error.h"
+#include "gestalt/input.h"
+#include "gestalt/learning_set.h"
+#include "gestalt/output_file.h"
+#include "pipeline_options.h"
+
+namespace gestalt::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Labels = cv::Mat_<std::uint16_t>;
+
+struct Options {
+  std::vector<fs::path> scenes;
+  PipelineOptions pipeline;
+  int folds = 0;  ///< 0: no cross-validation
+  std::uint64_t seed = 0;
+  fs::path predictions;  ///< empty: run the pipeline
+  std::string image = "labels.png";
+  bool parts = false;
+  fs::path output;  ///< empty: write no label images
+  bool json = false;
+
+  RegionKind regions() const { return parts ? RegionKind::parts : RegionKind::objects; }
+};
+
+std::string scene_name(const fs::path& scene) {
+  return (fs::is_directory(scene) ? scene.filename() : scene.stem()).string();
+}
+
+/// Category of each scene, from the file <folder>.csv beside the folder that it is in; "" when there is none.
+std::vector<std::string> scene_categories(const std::vector<fs::path>& scenes) {
+  std::map<fs::path, std::map<std::string, std::string>> known;
+  std::vector<std::string> categories;
+  for (const fs::path& scene : scenes) {
+    const fs::path file = fs::absolute(scene).lexically_normal().parent_path().string() + ".csv";
+    const auto& of_folder = known.try_emplace(file, known.contains(file) ? known[file] : read_categories(file)).first;
+    const auto found = of_folder->second.find(scene_name(scene));
+    categories.push_back(found == of_folder->second.end() ? "" : found->second);
+  }
+  return categories;
+}
+
+Labels with_depth_only(const Labels& ground_truth, const cv::Mat& depth) {
+  Labels labels = ground_truth.clone();
+  labels.setTo(0, depth == 0);
+  return labels;
+}
+
+Labels ground_truth_of(const Input& input) {
+  if (input.ground_truth.empty())
+    throw InputError(input.path.string() +
+                     ": has no ground truth to score against; give scenes with a label.png or clouds with labels");
+  return with_depth_only(input.ground_truth, input.frame.depth);
+}
+
+/// Ground truth of a scene that need not be segmented: neither camera nor colour is looked for in a folder.
+Labels read_ground_truth(const fs::path& scene) {
+  if (!fs::is_directory(scene)) return ground_truth_of(read_scene(scene));
+  const Labels labels = read_label_image(scene / "label.png"), depth = read_label_image(scene / "depth.png");
+  if (labels.size() != depth.size())
+    throw InputError(scene.string() + ": label.png and depth.png differ in size; they must be of one camera image");
+  return with_depth_only(labels, depth);
+}
+
+Labels read_prediction(const Options& options, const std::string& scene, cv::Size size) {
+  const fs::path in_folder = options.predictions / scene / options.image;
+  const fs::path beside = options.predictions / (scene + ".png");
+  if (!fs::is_regular_file(in_folder) && !fs::is_regular_file(beside))
+    throw InputError(in_folder.string() + ": is missing, and so is " + beside.filename().string() +
+                     "; every scene needs a prediction");
+  const fs::path& file = fs::is_regular_file(in_folder) ? in_folder : beside;
+  Labels labels = read_label_image(file);
+  if (labels.size() != size)
+    throw InputError(file.string() + ": has " + std::to_string(labels.cols) + "x" + std::to_string(labels.rows) +
+                     " pixels, the ground truth of the scene " + std::to_string(size.width) + "x" +
+                     std::to_string(size.height) + "; segment the image at its original size");
+  return labels;
+}
+
+/// The scenes with their scores, as far as they have come. An error of one scene does not stop the others.
+class Evaluation {
+ public:
+  explicit Evaluation(const Options& options)
+      : scenes(find_scenes(options.scenes)),
+        categories(scene_categories(scenes)),
+        scores(scenes.size()),
+        options_(options),
+        failures_(scenes.size()) {}
+
+  const std::vector<fs::path> scenes;
+  const std::vector<std::string> categories;
+  std::vector<ImageScore> scores;
+
+  bool failed(std::size_t scene) const { return bool(failures_[scene]); }
+
+  /// Calls work(i) for every scene that has not failed, in parallel.
+  template <class Work>
+  void for_each_scene(const Work& work) {
+    tbb::parallel_for(std::size_t(0), scenes.size(), [&](std::size_t i) {
+      if (failed(i)) return;
+      try {
+        work(i);
+      } catch (const InputError&) {
+        failures_[i] = std::current_exception();
+      } catch (const PluginError&) {
+        failures_[i] = std::current_exception();
+      }
+    });
+  }
+
+  void score(std::size_t scene, const Labels& ground_truth, const Labels& labels) {
+    scores[scene] = score_image(ground_truth, labels, options_.regions());
+    if (!options_.output.empty()) write_png(options_.output / scene_name(scenes[scene]) / "labels.png", labels);
+  }
+
+  /// Prints errors and scores. Throws the first error when no scene could be scored.
+  int report(const std::string& method, const std::optional<PairDecisions>& pairs = std::nullopt) const {
+    std::vector<ImageScore> scored;
+    std::vector<std::string> their_categories;
+    for (std::size_t i = 0; i < scenes.size(); ++i) {
+      if (failed(i)) continue;
+      scored.push_back(scores[i]);
+      their_categories.push_back(categories[i]);
+    }
+    if (scored.empty()) std::rethrow_exception(failures_.front());
+    print_failures();
+    const std::vector<ScoreRow> rows = summarise(scored, their_categories);
+    if (options_.json) {
+      nlohmann::ordered_json json = to_json(rows);
+      if (pairs) json["held_out_pairs"] = to_json(*pairs);
+      std::cout << json.dump(1) << '\n';
+    } else {
+      const std::string all = scored.size() < scenes.size() ? " of " + std::to_string(scenes.size()) : "";
+      std::cout << method << ", " << scored.size() << all << " images\n" << format_tables(rows, options_.regions());
+      if (pairs) std::cout << format_pairs(*pairs);
+    }
+    return scored.size() == scenes.size() ? success : run_failed;
+  }
+
+ private:
+  void print_failures() const {
+    for (const std::exception_ptr& failure : failures_) try {
+        if (failure) std::rethrow_exception(failure);
+      } catch (const std::exception& error) {
+        std::cerr << "gestalt: error: " << error.what() << '\n';
+      }
+  }
+
+  const Options& options_;
+  std::vector<std::exception_ptr> failures_;
+};
+
+int score_predictions(const Options& options) {
+  if (!fs::is_directory(options.predictions))
+    throw InputError(options.predictions.string() + ": is no folder; give the folder that holds the label images");
+  Evaluation evaluation(options);
+  evaluation.for_each_scene([&](std::size_t i) {
+    const Labels ground_truth = read_ground_truth(evaluation.scenes[i]);
+    evaluation.score(i, ground_truth, read_prediction(options, scene_name(evaluation.scenes[i]), ground_truth.size()));
+  });
+  return evaluation.report(options.predictions.string());
+}
+
+std::string config_name(const Options& options) {
+  return (options.pipeline.config.empty() ? default_config() : options.pipeline.config).filename().string();
+}
+
+int score_model(const Options& options) {
+  const LoadedConfig loaded = load_config(options.pipeline);
+  const Pipeline pipeline(loaded.config, loaded.registry);
+  const Model model = pipeline.load_model();
+  Evaluation evaluation(options);
+  evaluation.for_each_scene([&](std::size_t i) {
+    const Input input = read_scene(evaluation.scenes[i]);
+    const Labels ground_truth = ground_truth_of(input);
+    evaluation.score(i, ground_truth, pipeline.decide(input.frame, pipeline.perceive(input.frame), model).labels);
+  });
+  return evaluation.report(config_name(options));
+}
+
+/// What is kept of a scene while the models are trained.
+struct Perceived {
+  Percept percept;
+  Samples samples;
+};
+
+/// The model of the scenes of all other folds.
+Model train_without_fold(int held_out, const std::vector<int>& fold, const Evaluation& evaluation,
+                         const std::vector<Perceived>& perceived, const Pipeline& pipeline) {
+  Samples samples{pipeline.value_names().size(), {}, {}};
+  TrainingData training;
+  for (std::size_t i = 0; i < fold.size(); ++i) {
+    if (fold[i] == held_out || evaluation.failed(i)) continue;
+    const Samples& of_scene = perceived[i].samples;
+    samples.values.insert(samples.values.end(), of_scene.values.begin(), of_scene.values.end());
+    samples.positive.insert(samples.positive.end(), of_scene.positive.begin(), of_scene.positive.end());
+    training.scenes.push_back(scene_name(evaluation.scenes[i]));
+  }
+  for (const auto positive : samples.positive) ++(positive ? training.positive_pairs : training.negative_pairs);
+  return train_model(pipeline.classifier(), pipeline.config().classifier.plugin, pipeline.value_names(), samples,
+                     std::move(training), config_hash(pipeline.config()));
+}
+
+int cross_validate(const Options& options) {
+  const LoadedConfig loaded = load_config(options.pipeline);
+  const Pipeline pipeline(loaded.config, loaded.registry);
+  Evaluation evaluation(options);
+  const std::vector<int> fold = deal_folds(evaluation.categories, options.folds, options.seed);
+
+  std::vector<Perceived> perceived(evaluation.scenes.size());
+  evaluation.for_each_scene([&](std::size_t i) {
+    const Input input = read_scene(evaluation.scenes[i]);
+    auto& [percept, samples] = perceived[i];
+    percept = pipeline.perceive(input.frame);
+    samples.columns = pipeline.value_names().size();
+    append_pairs(percept, ground_truth_of(input), samples);
+    // The normals are most of a percept's memory, and no decision looks at them.
+    percept.patches = {};
+  });
+
+  std::vector<Model> models;
+  for (int held_out = 0; held_out < options.folds; ++held_out)
+    models.push_back(train_without_fold(held_out, fold, evaluation, perceived, pipeline));
+
+  PairDecisions pairs;
+  for (std::size_t i = 0; i < perceived.size(); ++i)
+    for (std::size_t row = 0; row < perceived[i].samples.rows(); ++row)
+      pairs.count(perceived[i].samples.positive[row],
+                  models[std::size_t(fold[i])].probability(perceived[i].samples.row(row)) >= 0.5);
+
+  evaluation.for_each_scene([&](std::size_t i) {
+    // Reading a frame again costs less than keeping all of them.
+    const Input input = read_scene(evaluation.scenes[i]);
+    const Segmentation segmentation = pipeline.decide(input.frame, perceived[i].percept, models[std::size_t(fold[i])]);
+    evaluation.score(i, ground_truth_of(input), segmentation.labels);
+  });
+  return evaluation.report(config_name(options) + ", " + std::to_string(options.folds) + "-fold cross-validation",
+                           pairs);
+}
+
+int evaluate(const Options& options) {
+  std::optional<tbb::global_control> limit;
+  if (options.pipeline.threads > 0)
+    limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(options.pipeline.threads));
+  if (!options.predictions.empty()) return score_predictions(options);
+  return options.folds > 0 ? cross_validate(options) : score_model(options);
+}
+
+}  // namespace
+
+void add_evaluate(CLI::App& app, Run& run) {
+  auto options = std::make_shared<Options>();
+  CLI::App& command = *app.add_subcommand(
+      "evaluate", "Score segmentations against ground truth: of a trained model, cross-validated, or read from files");
+  command
+      .add_option("scenes", options->scenes,
+                  "Scenes with ground truth, or folders of them; FOLDER.csv beside a folder (columns scene and "
+                  "category) gives categories")
+      ->required()
+      ->type_name("SCENES");
+  add_pipeline_options(command, options->pipeline);
+  CLI::Option* predictions =
+      command
+          .add_option("--predictions", options->predictions,
+                      "Score the label images DIR/<scene>/labels.png or DIR/<scene>.png and run nothing")
+          ->type_name("DIR");
+  command.add_option("--image", options->image, "Name of the label image in a scene's folder of predictions")
+      ->needs(predictions)
+      ->type_name("FILE");
+  CLI::Option* folds = command
+                           .add_option("--cross-validate", options->folds,
+                                       "Segment each of K folds of the scenes with a model trained on the others")
+                           ->check(CLI::Range(2, 1000000))
+                           ->excludes(predictions)
+                           ->type_name("K");
+  command.add_option("--seed", options->seed, "Deal the scenes to the folds in this random order; 0: in natural order")
+      ->needs(folds)
+      ->type_name("S");
+  command.add_flag("--parts", options->parts, "Regions are the visible parts of objects, not whole objects");
+  command.add_option("--output", options->output, "Also write DIR/<scene>/labels.png")
+      ->excludes(predictions)
+      ->type_name("DIR");
+  command.add_flag("--json", options->json, "Print every value as a fraction, for programs");
+  command.callback([options, &run] { run = [options] { return evaluate(*options); }; });
+}
+
+}  // namespace gestalt::app

@@ -1,0 +1,94 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <fstream>
+#include <limits>
+#include <opencv2/imgcodecs.hpp>
+#include <random>
+
+#include "gestalt/error.h"
+#include "gestalt/evaluation.h"
+
+namespace gestalt {
+
+namespace {
+
+std::vector<std::string> split_at_commas(std::string line) {
+  if (!line.empty() && line.back() == '\r') line.pop_back();
+  std::vector<std::string> fields;
+  std::size_t begin = 0, comma;
+  while ((comma = line.find(',', begin)) != std::string::npos) {
+    fields.push_back(line.substr(begin, comma - begin));
+    begin = comma + 1;
+  }
+  fields.push_back(line.substr(begin));
+  return fields;
+}
+
+}  // namespace
+
+cv::Mat_<std::uint16_t> read_label_image(const std::filesystem::path& file) {
+  const cv::Mat image = cv::imread(file.string(), cv::IMREAD_UNCHANGED);
+  if (image.empty())
+    throw InputError(file.string() + ": is missing or no readable image; give a label image (PNG, 8 or 16 bits)");
+  if (image.channels() != 1)
+    throw InputError(file.string() + ": has " + std::to_string(image.channels()) +
+                     " channels; a label image has one, of 8 or 16 bits");
+  if (image.depth() != CV_8U && image.depth() != CV_16U)
+    throw InputError(file.string() + ": its pixels are not unsigned numbers of 8 or 16 bits, as labels are");
+  return image;
+}
+
+std::map<std::string, std::string> read_categories(const std::filesystem::path& file) {
+  std::ifstream in(file);
+  if (!in) return {};
+  std::string line;
+  std::getline(in, line);
+  const std::vector<std::string> head = split_at_commas(line);
+  const auto scene = std::size_t(std::find(head.begin(), head.end(), "scene") - head.begin());
+  const auto category = std::size_t(std::find(head.begin(), head.end(), "category") - head.begin());
+  if (scene == head.size() || category == head.size())
+    throw InputError(file.string() + ":1: the first line must name the columns scene and category");
+  std::map<std::string, std::string> categories;
+  for (int number = 2; std::getline(in, line); ++number) {
+    const std::vector<std::string> fields = split_at_commas(line);
+    if (fields.size() == 1 && fields[0].empty()) continue;
+    if (fields.size() <= std::max(scene, category))
+      throw InputError(file.string() + ":" + std::to_string(number) + ": has " + std::to_string(fields.size()) +
+                       " fields, the first line " + std::to_string(head.size()));
+    categories[fields[scene]] = fields[category];
+  }
+  return categories;
+}
+
+std::vector<int> deal_folds(const std::vector<std::string>& categories, int folds, std::uint64_t seed) {
+  const std::size_t scenes = categories.size();
+  if (folds < 2 || std::size_t(folds) > scenes)
+    throw ConfigError("cross-validation: " + std::to_string(folds) + " folds of " + std::to_string(scenes) +
+                      " scenes; give at least 2 folds and a scene for each");
+  std::vector<std::size_t> deck(scenes);
+  for (std::size_t i = 0; i < scenes; ++i) deck[i] = i;
+  // The library's shuffle and distributions may differ between compilers, its generators may not.
+  std::mt19937_64 random(seed);
+  if (seed != 0)
+    for (std::size_t i = scenes; i > 1; --i) std::swap(deck[i - 1], deck[random() % i]);
+  std::stable_sort(deck.begin(), deck.end(),
+                   [&](std::size_t a, std::size_t b) { return categories[a] < categories[b]; });
+  std::vector<int> fold(scenes);
+  for (std::size_t i = 0; i < scenes; ++i) fold[deck[i]] = int(i % std::size_t(folds));
+  return fold;
+}
+
+void PairDecisions::count(bool positive, bool decided_positive) {
+  ++(positive ? (decided_positive ? true_positive : false_negative)
+              : (decided_positive ? false_positive : true_negative));
+}
+
+double PairDecisions::balanced_error() const {
+  const std::int64_t negative = true_negative + false_positive, positive = true_positive + false_negative;
+  if (negative == 0 || positive == 0) return std::numeric_limits<double>::quiet_NaN();
+  return (double(false_positive) / double(negative) + double(false_negative) / double(positive)) / 2;
+}
+
+}  // namespace gestalt
