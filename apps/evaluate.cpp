@@ -192,7 +192,7 @@ int score_model(const Options& options) {
   evaluation.for_each_scene([&](std::size_t i) {
     const Input input = read_scene(evaluation.scenes[i]);
     const Labels ground_truth = ground_truth_of(input);
-    evaluation.score(i, ground_truth, pipeline.decide(input.frame, pipeline.perceive(input.frame), model).labels);
+    evaluation.score(i, ground_truth, pipeline.decide(pipeline.perceive(input.frame), model).labels);
   });
   return evaluation.report(config_name(options));
 }
@@ -200,6 +200,7 @@ int score_model(const Options& options) {
 /// What is kept of a scene while the models are trained.
 struct Perceived {
   Percept percept;
+  Labels ground_truth;
   Samples samples;
 };
 
@@ -229,12 +230,13 @@ int cross_validate(const Options& options) {
   std::vector<Perceived> perceived(evaluation.scenes.size());
   evaluation.for_each_scene([&](std::size_t i) {
     const Input input = read_scene(evaluation.scenes[i]);
-    auto& [percept, samples] = perceived[i];
+    auto& [percept, ground_truth, samples] = perceived[i];
+    ground_truth = ground_truth_of(input);
     percept = pipeline.perceive(input.frame);
-    samples.columns = pipeline.value_names().size();
-    append_pairs(percept, ground_truth_of(input), samples);
-    // The normals are most of a percept's memory, and no decision looks at them.
+    append_pairs(percept, ground_truth, samples);
+    // Most of a percept's memory, and nothing that a decision looks at.
     percept.patches = {};
+    percept.surfaces.adjacencies.clear();
   });
 
   std::vector<Model> models;
@@ -242,16 +244,15 @@ int cross_validate(const Options& options) {
     models.push_back(train_without_fold(held_out, fold, evaluation, perceived, pipeline));
 
   PairDecisions pairs;
-  for (std::size_t i = 0; i < perceived.size(); ++i)
-    for (std::size_t row = 0; row < perceived[i].samples.rows(); ++row)
-      pairs.count(perceived[i].samples.positive[row],
-                  models[std::size_t(fold[i])].probability(perceived[i].samples.row(row)) >= 0.5);
+  for (std::size_t i = 0; i < perceived.size(); ++i) {
+    const Samples& held_out = perceived[i].samples;
+    for (std::size_t row = 0; row < held_out.rows(); ++row)
+      pairs.count(held_out.positive[row], models[std::size_t(fold[i])].probability(held_out.row(row)) >= 0.5);
+  }
 
   evaluation.for_each_scene([&](std::size_t i) {
-    // Reading a frame again costs less than keeping all of them.
-    const Input input = read_scene(evaluation.scenes[i]);
-    const Segmentation segmentation = pipeline.decide(input.frame, perceived[i].percept, models[std::size_t(fold[i])]);
-    evaluation.score(i, ground_truth_of(input), segmentation.labels);
+    const auto& [percept, ground_truth, samples] = perceived[i];
+    evaluation.score(i, ground_truth, pipeline.decide(percept, models[std::size_t(fold[i])]).labels);
   });
   return evaluation.report(config_name(options) + ", " + std::to_string(options.folds) + "-fold cross-validation",
                            pairs);
