@@ -23,6 +23,9 @@ struct Samples {
   std::span<const double> row(std::size_t i) const { return {values.data() + i * columns, columns}; }
 };
 
+/// Throws ModelError, telling the counts, unless there are positive and negative samples.
+GESTALT_EXPORT void require_both_classes(const Samples& samples);
+
 /// A trained classifier, immutable.
 class GESTALT_EXPORT Predictor {
  public:
