@@ -1,0 +1,160 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "graph_cut.h"
+
+#include <algorithm>
+#include <map>
+#include <queue>
+#include <tuple>
+
+#include "gestalt/disjoint_sets.h"
+
+namespace gestalt {
+
+namespace {
+
+std::vector<double> node_sizes(const Graph& graph, const std::string& counted) {
+  if (counted == "patches") return std::vector<double>(graph.sizes.size(), 1.0);
+  return {graph.sizes.begin(), graph.sizes.end()};
+}
+
+/// The growing components with the test that lets an edge join two of them. A component goes by its smallest node.
+class Components {
+ public:
+  Components(std::vector<double> sizes, double k)
+      : sets_(int(sizes.size())), sizes_(std::move(sizes)), internal_(sizes_.size(), 0.0), k_(k) {}
+
+  int find(int node) { return sets_.find(node); }
+
+  bool accept(int a, int b, double weight) const { return weight <= std::min(threshold(a), threshold(b)); }
+
+  void join(int a, int b, double weight) {
+    const double size = sizes_[std::size_t(a)] + sizes_[std::size_t(b)];
+    const auto joined = std::size_t(sets_.join(a, b));
+    sizes_[joined] = size;
+    internal_[joined] = weight;  // weights come in ascending order, so it is the largest
+  }
+
+  std::vector<int> groups() { return sets_.groups(); }
+
+ private:
+  double threshold(int a) const { return internal_[std::size_t(a)] + k_ / sizes_[std::size_t(a)]; }
+
+  DisjointSets sets_;
+  std::vector<double> sizes_;
+  std::vector<double> internal_;
+  double k_;
+};
+
+std::vector<int> cut(const Graph& graph, Components components) {
+  std::vector<Edge> edges = graph.edges;
+  std::sort(edges.begin(), edges.end(), [](const Edge& x, const Edge& y) {
+    return std::tuple(-x.probability, x.a, x.b) < std::tuple(-y.probability, y.a, y.b);
+  });
+  for (const Edge& edge : edges) {
+    const int a = components.find(edge.a), b = components.find(edge.b);
+    const double weight = 1 - edge.probability;
+    if (a != b && components.accept(a, b, weight)) components.join(a, b, weight);
+  }
+  return components.groups();
+}
+
+/// The edges between components, averaged at joins, and a queue of them. A queue entry counts only while its link still
+/// has the entry's revision; so nothing is ever searched for in the queue.
+///
+/// Weights leave the queue in ascending order: a mean is never below the smaller edge, and both are still to come or
+/// were refused. What refused an edge is a component whose threshold is below all weights that follow; it stays as it
+/// is for good, so refused edges need no memory of it: they are refused again.
+class Links {
+ public:
+  Links(const Graph& graph, std::vector<double> sizes) : links_(graph.sizes.size()), sizes_(std::move(sizes)) {
+    for (const Edge& edge : graph.edges) put(edge.a, edge.b, 1 - edge.probability);
+  }
+
+  struct Candidate {
+    double weight;
+    int a;  ///< a < b
+    int b;
+    int revision;
+
+    bool operator>(const Candidate& o) const { return std::tie(weight, a, b) > std::tie(o.weight, o.a, o.b); }
+  };
+
+  /// Takes the link of the smallest weight; false when none is left.
+  bool take(Candidate& best) {
+    while (!queue_.empty()) {
+      best = queue_.top();
+      queue_.pop();
+      const auto& of_a = links_[std::size_t(best.a)];
+      const auto link = of_a.find(best.b);
+      if (link != of_a.end() && link->second.revision == best.revision) return true;
+    }
+    return false;
+  }
+
+  /// Gives the links of b to a and averages those that both have. a < b.
+  void join(int a, int b) {
+    const double size_a = sizes_[std::size_t(a)], size_b = sizes_[std::size_t(b)];
+    links_[std::size_t(a)].erase(b);
+    for (const auto& [other, link] : links_[std::size_t(b)]) {
+      if (other == a) continue;
+      links_[std::size_t(other)].erase(b);
+      const auto both = links_[std::size_t(a)].find(other);
+      put(a, other,
+          both == links_[std::size_t(a)].end()
+              ? link.weight
+              : (size_a * both->second.weight + size_b * link.weight) / (size_a + size_b));
+    }
+    links_[std::size_t(b)].clear();
+    sizes_[std::size_t(a)] = size_a + size_b;
+  }
+
+ private:
+  struct Link {
+    double weight;
+    int revision;
+  };
+
+  void put(int a, int b, double weight) {
+    const Link link{weight, ++revision_};
+    links_[std::size_t(a)][b] = links_[std::size_t(b)][a] = link;
+    queue_.push({weight, std::min(a, b), std::max(a, b), link.revision});
+  }
+
+  std::vector<std::map<int, Link>> links_;  // of each component, by the other end; each link stands at both ends
+  std::vector<double> sizes_;
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> queue_;
+  int revision_ = 0;
+};
+
+std::vector<int> cut_averaging(Links links, Components components) {
+  for (Links::Candidate edge{}; links.take(edge);) {
+    if (!components.accept(edge.a, edge.b, edge.weight)) continue;
+    components.join(edge.a, edge.b, edge.weight);
+    links.join(edge.a, edge.b);
+  }
+  return components.groups();
+}
+
+}  // namespace
+
+const Parameters<GraphCut::Params>& GraphCut::parameters() {
+  static const auto p =
+      Parameters<Params>()
+          .real("k", &Params::k, 0, 1e9, "", "tolerance over the internal difference, divided by the size")
+          .choice("size", &Params::size, {"patches", "pixels"}, "what the size that divides k counts")
+          .boolean("average_joined", &Params::average_joined,
+                   "average the edges of two joined components to a third one")
+          .choice("average_weight", &Params::average_weight, {"patches", "pixels"},
+                  "size by which the average is weighted");
+  return p;
+}
+
+std::vector<int> GraphCut::solve(const Graph& graph) const {
+  Components components(node_sizes(graph, params_.size), params_.k);
+  if (!params_.average_joined) return cut(graph, std::move(components));
+  return cut_averaging({graph, node_sizes(graph, params_.average_weight)}, std::move(components));
+}
+
+}  // namespace gestalt
