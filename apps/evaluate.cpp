@@ -3,7 +3,6 @@
 
 #include "gestalt/evaluation.h"
 
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
 #include <cstdint>
@@ -259,9 +258,7 @@ int cross_validate(const Options& options) {
 }
 
 int evaluate(const Options& options) {
-  std::optional<tbb::global_control> limit;
-  if (options.pipeline.threads > 0)
-    limit.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(options.pipeline.threads));
+  const ThreadLimit limit(options.pipeline.threads);
   if (!options.predictions.empty()) return score_predictions(options);
   return options.folds > 0 ? cross_validate(options) : score_model(options);
 }

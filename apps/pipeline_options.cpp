@@ -3,6 +3,8 @@
 
 #include "pipeline_options.h"
 
+#include <opencv2/core/utility.hpp>
+
 namespace gestalt::app {
 
 void add_pipeline_options(CLI::App& command, PipelineOptions& options) {
@@ -23,6 +25,12 @@ LoadedConfig load_config(const PipelineOptions& options) {
   Registry registry(plugin_search_path(tree.plugin_directories()));
   Config config = tree.resolve(registry);
   return {std::move(tree), std::move(registry), std::move(config)};
+}
+
+ThreadLimit::ThreadLimit(int threads) {
+  if (threads == 0) return;
+  limit_.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+  cv::setNumThreads(threads);
 }
 
 }  // namespace gestalt::app

@@ -2,9 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <tbb/global_control.h>
+
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -31,5 +34,14 @@ struct LoadedConfig {
 };
 
 LoadedConfig load_config(const PipelineOptions& options);
+
+/// Bounds the threads of oneTBB and OpenCV while it lives. 0: no bound.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int threads);
+
+ private:
+  std::optional<tbb::global_control> limit_;
+};
 
 }  // namespace gestalt::app

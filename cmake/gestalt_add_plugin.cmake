@@ -3,25 +3,32 @@
 
 # gestalt_add_plugin(<name> KIND <kind> SOURCES <algorithm sources> [LIBRARIES <lib>...] [TEST <test source>...])
 #
-# Makes the plugin <kind>_<name>.so of plugin.cpp and the algorithm, and, with TEST, a test that links the algorithm
-# directly. The algorithm is a static library, so its unit tests need no loader.
+# Makes the plugin <kind>_<name>.so of plugin.cpp and the algorithm, and, with TEST inside Gestalt's own tree, a test that
+# links the algorithm directly. The algorithm is a static library, so its unit tests need no loader.
+# Outside the tree the plugin goes to <build>/plugins: name that folder in plugin_directories or GESTALT_PLUGIN_PATH.
 function(gestalt_add_plugin name)
   cmake_parse_arguments(ARG "" "KIND" "SOURCES;LIBRARIES;TEST" ${ARGN})
   set(target ${ARG_KIND}_${name})
+  set(folder ${PROJECT_BINARY_DIR}/plugins)
+  if(CMAKE_LIBRARY_OUTPUT_DIRECTORY)
+    set(folder ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/gestalt/plugins)
+  endif()
 
   add_library(${target}_algorithm STATIC ${ARG_SOURCES})
   target_include_directories(${target}_algorithm PUBLIC ${CMAKE_CURRENT_SOURCE_DIR})
+  set_target_properties(
+    ${target}_algorithm PROPERTIES POSITION_INDEPENDENT_CODE ON CXX_VISIBILITY_PRESET hidden VISIBILITY_INLINES_HIDDEN ON
+                                   CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON)
   target_link_libraries(${target}_algorithm PUBLIC gestalt::core ${ARG_LIBRARIES})
 
   add_library(${target} MODULE plugin.cpp)
+  set_target_properties(${target} PROPERTIES CXX_VISIBILITY_PRESET hidden CXX_STANDARD 20 CXX_STANDARD_REQUIRED ON)
   target_link_libraries(${target} PRIVATE ${target}_algorithm)
   target_link_options(${target} PRIVATE LINKER:-z,defs LINKER:-z,now)
-  set_target_properties(${target} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY
-                                             ${CMAKE_LIBRARY_OUTPUT_DIRECTORY}/gestalt/plugins
-                                             INSTALL_RPATH "$ORIGIN/../..")
+  set_target_properties(${target} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${folder} INSTALL_RPATH "$ORIGIN/../..")
   install(TARGETS ${target} DESTINATION ${CMAKE_INSTALL_LIBDIR}/gestalt/plugins)
 
-  if(ARG_TEST AND BUILD_TESTING)
+  if(ARG_TEST AND TARGET gestalt_test_scenes)
     add_executable(${target}_test ${ARG_TEST})
     target_link_libraries(${target}_test PRIVATE ${target}_algorithm gestalt::test_scenes GTest::gtest_main)
     add_test(NAME ${target} COMMAND ${target}_test)

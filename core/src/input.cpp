@@ -132,6 +132,7 @@ Input read_unorganized(const fs::path& file, const PointCloud& cloud, const std:
   if (camera.width < 1 || camera.height < 1)
     throw InputError(camera_name(*given) + ": width and height must be positive");
   Input input;
+  input.cloud = cloud.points;
   input.point_pixels.assign(cloud.points.size(), -1);
   std::vector<std::size_t> order;  // of the seen points, nearest last: it wins its pixel
   for (std::size_t i = 0; i < cloud.points.size(); ++i) {

@@ -35,6 +35,7 @@ struct Input {
   std::filesystem::path path;            ///< the scene folder or the cloud file, as given
   Frame frame;                           ///< named as scene_name()
   cv::Mat_<std::uint16_t> ground_truth;  ///< label.png or the cloud's label field (see object_of_label()); else empty
+  std::vector<cv::Vec3f> cloud;          ///< unorganized clouds only: the original points, metres, as they were read
   std::vector<int> point_pixels;         ///< unorganized clouds only: the pixel of each original point (also of those
                                          ///< hidden behind a nearer one), -1 = outside the image, behind the camera or
                                          ///< without a finite position

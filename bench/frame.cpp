@@ -1,0 +1,90 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Whole frames through the default pipeline, without reading or writing files: milliseconds by level, start-up time and
+// peak memory. The figures of docs/benchmarks.md come from here.
+
+#include <sys/resource.h>
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <algorithm>
+#include <chrono>
+#include <iomanip>
+#include <iostream>
+#include <map>
+
+#include "gestalt/config.h"
+#include "gestalt/input.h"
+#include "gestalt/pipeline.h"
+#include "gestalt/synthesis.h"
+
+namespace {
+
+double quantile(std::vector<double> values, double q) {
+  std::sort(values.begin(), values.end());
+  return values[std::min(values.size() - 1, std::size_t(q * double(values.size())))];
+}
+
+double peak_megabytes() {
+  rusage usage{};
+  getrusage(RUSAGE_SELF, &usage);
+  return double(usage.ru_maxrss) / 1024;
+}
+
+std::vector<gestalt::Frame> frames_of(const std::vector<std::filesystem::path>& scenes) {
+  std::vector<gestalt::Frame> frames;
+  if (scenes.empty()) {
+    for (int i = 0; i < 10; ++i)
+      frames.push_back(gestalt::synthesize(gestalt::Category::complex_scene, 1, i, gestalt::kinect_camera()).frame);
+    return frames;
+  }
+  for (const auto& scene : gestalt::find_scenes(scenes)) frames.push_back(gestalt::read_scene(scene).frame);
+  return frames;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) {
+  CLI::App app{"Times whole frames, by level"};
+  std::vector<std::filesystem::path> scenes;
+  int threads = 2, repeats = 3;
+  app.add_option("scenes", scenes, "Scene folders (default: ten synthetic complex scenes)");
+  app.add_option("--threads", threads, "Threads", true);
+  app.add_option("--repeats", repeats, "Runs over all frames", true);
+  CLI11_PARSE(app, argc, argv);
+
+  using Clock = std::chrono::steady_clock;
+  const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+  const auto start = Clock::now();
+  const gestalt::ConfigTree tree(gestalt::default_config(), {});
+  const gestalt::Registry registry(gestalt::plugin_search_path(tree.plugin_directories()));
+  const gestalt::Pipeline pipeline(tree.resolve(registry), registry);
+  const gestalt::Model model = pipeline.load_model();
+  const double start_up = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
+
+  std::map<std::string, std::vector<double>> times;
+  std::size_t count = 0;
+  for (const gestalt::Frame& frame : frames_of(scenes)) {
+    ++count;
+    for (int run = 0; run < repeats; ++run) {
+      const gestalt::Percept percept = pipeline.perceive(frame);
+      gestalt::LevelTimes t = percept.times;
+      pipeline.decide(percept, model, &t);
+      times["1 signal"].push_back(t.signal);
+      times["2 primitive"].push_back(t.primitive);
+      times["3 structural"].push_back(t.structural);
+      times["4 decision"].push_back(t.decision);
+      times["5 whole frame"].push_back(t.total());
+    }
+  }
+  std::cout << count << " frames, " << repeats << " runs each, " << threads << " threads; milliseconds\n"
+            << std::left << std::setw(16) << "level" << std::right << std::setw(9) << "median" << std::setw(9) << "p95"
+            << std::setw(9) << "worst" << '\n'
+            << std::fixed << std::setprecision(1);
+  for (const auto& [level, values] : times)
+    std::cout << std::left << std::setw(16) << level.substr(2) << std::right << std::setw(9) << quantile(values, 0.5)
+              << std::setw(9) << quantile(values, 0.95) << std::setw(9) << quantile(values, 1) << '\n';
+  std::cout << "config, plugins and model loaded in " << start_up << " ms; peak memory " << peak_megabytes()
+            << " MB with all frames held\n";
+}

@@ -1,0 +1,67 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cmath>
+#include <opencv2/imgproc.hpp>
+
+#include "gestalt/result.h"
+
+namespace gestalt {
+
+namespace {
+
+/// A colour for each label: hues a golden section apart, so that neighbouring numbers differ most.
+cv::Vec3b colour_of(int label) {
+  const double hue = std::fmod(label * 0.618033988749895, 1.0) * 6;
+  const double value = label % 3 == 1 ? 0.75 : 1.0, saturation = label % 2 == 0 ? 0.65 : 0.9;
+  const auto channel = [&](double offset) {
+    const double k = std::fmod(hue + offset, 6.0);
+    return std::uint8_t(255 * value * (1 - saturation * std::clamp(std::min(k, 4 - k), 0.0, 1.0)));
+  };
+  return {channel(1), channel(3), channel(5)};
+}
+
+/// The colour image, or depth as grey from near (bright) to far.
+cv::Mat backdrop(const Frame& frame) {
+  if (frame.has_colour()) return frame.colour;
+  double nearest, farthest;
+  cv::minMaxLoc(frame.depth, &nearest, &farthest, nullptr, nullptr, frame.depth > 0);
+  cv::Mat grey, picture;
+  frame.depth.convertTo(grey, CV_8U, -180 / std::max(farthest - nearest, 1e-6),
+                        220 + 180 * nearest / std::max(farthest - nearest, 1e-6));
+  grey.setTo(0, frame.depth == 0);
+  cv::cvtColor(grey, picture, cv::COLOR_GRAY2BGR);
+  return picture;
+}
+
+}  // namespace
+
+cv::Mat draw_segments(const Frame& frame, const cv::Mat_<std::uint16_t>& labels) {
+  const cv::Mat below = backdrop(frame);
+  cv::Mat picture(labels.size(), CV_8UC3);
+  for (int v = 0; v < labels.rows; ++v)
+    for (int u = 0; u < labels.cols; ++u) {
+      const int own = labels(v, u);
+      const auto differs = [&](int x, int y) { return x < labels.cols && y < labels.rows && labels(y, x) != own; };
+      const cv::Vec3b base = below.at<cv::Vec3b>(v, u);
+      auto& pixel = picture.at<cv::Vec3b>(v, u);
+      if (differs(u + 1, v) || differs(u, v + 1) || differs(u + 1, v + 1))
+        pixel = {255, 255, 255};
+      else if (own == 0)
+        pixel = base * 0.5;
+      else
+        pixel = base * 0.5 + colour_of(own) * 0.5;
+    }
+  return picture;
+}
+
+cv::Mat draw_patches(const cv::Mat_<int>& labels) {
+  cv::Mat picture(labels.size(), CV_8UC3, cv::Scalar::all(0));
+  for (int v = 0; v < labels.rows; ++v)
+    for (int u = 0; u < labels.cols; ++u)
+      if (labels(v, u) > 0) picture.at<cv::Vec3b>(v, u) = colour_of(labels(v, u));
+  return picture;
+}
+
+}  // namespace gestalt

@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gestalt/result.h"
+
+#include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
+#include <unistd.h>
+
+#include <nlohmann/json.hpp>
+
+#include "gestalt/error.h"
+#include "gestalt/output_file.h"
+
+namespace gestalt {
+
+namespace {
+
+using Json = nlohmann::json;
+
+Json camera_json(const Camera& c) {
+  return {{"width", c.width}, {"height", c.height}, {"fx", c.fx}, {"fy", c.fy}, {"cx", c.cx}, {"cy", c.cy}};
+}
+
+Json segments_json(const Segmentation& segmentation) {
+  Json segments = Json::array();
+  for (std::size_t i = 0; i < segmentation.segments.size(); ++i)
+    segments.push_back({{"label", i + 1},
+                        {"pixels", segmentation.segments[i].pixel_count},
+                        {"patches", segmentation.segments[i].surfaces}});
+  return segments;
+}
+
+Json patches_json(const SurfaceSet& surfaces) {
+  Json patches = Json::array();
+  for (std::size_t i = 0; i < surfaces.surfaces.size(); ++i)
+    patches.push_back({{"patch", i},
+                       {"pixels", surfaces.surfaces[i].pixels.size()},
+                       {"surface", surfaces.surfaces[i].model->to_json()}});
+  return patches;
+}
+
+Json pairs_json(const RelationTable& table, const Graph& graph) {
+  Json pairs = Json::array();
+  for (std::size_t i = 0; i < table.pairs.size(); ++i) {
+    Json values;
+    for (std::size_t k = 0; k < table.names.size(); ++k) values[table.names[k]] = table.row(i)[k];
+    pairs.push_back({{"a", table.pairs[i].a},
+                     {"b", table.pairs[i].b},
+                     {"level", "structural"},
+                     {"p", graph.edges.at(i).probability},
+                     {"relations", std::move(values)}});
+  }
+  return pairs;
+}
+
+/// The original points with the label of the pixel that they are seen in.
+void write_point_labels(const std::filesystem::path& file, const Input& input, const cv::Mat_<std::uint16_t>& labels) {
+  pcl::PointCloud<pcl::PointXYZL> cloud;
+  for (std::size_t i = 0; i < input.cloud.size(); ++i) {
+    pcl::PointXYZL point;
+    point.x = input.cloud[i][0], point.y = input.cloud[i][1], point.z = input.cloud[i][2];
+    const int pixel = input.point_pixels[i];
+    point.label = pixel < 0 ? 0 : labels.ptr<std::uint16_t>()[pixel];
+    cloud.push_back(point);
+  }
+  std::filesystem::path temporary = file;
+  temporary += ".tmp" + std::to_string(::getpid());
+  std::error_code error;
+  try {
+    pcl::PCDWriter().writeBinary(temporary.string(), cloud);
+    std::filesystem::rename(temporary, file);
+  } catch (const std::exception& failure) {
+    std::filesystem::remove(temporary, error);
+    throw OutputError(file.string() + ": cannot be written: " + failure.what());
+  }
+}
+
+}  // namespace
+
+Json result_json(const Input& input, const Percept& percept, const Segmentation& segmentation, const LevelTimes& times,
+                 const Json& config) {
+  return {{"format", "gestalt-result"},
+          {"version", 1},
+          {"gestalt", GESTALT_VERSION},
+          {"build", build_fingerprint()},
+          {"scene", input.frame.name},
+          {"camera", camera_json(input.frame.camera)},
+          {"segments", segments_json(segmentation)},
+          {"patches", patches_json(percept.surfaces)},
+          {"pairs", pairs_json(percept.relations, segmentation.graph)},
+          {"milliseconds",
+           {{"signal", times.signal},
+            {"primitive", times.primitive},
+            {"structural", times.structural},
+            {"decision", times.decision},
+            {"total", times.total()}}},
+          {"config", config}};
+}
+
+void write_result(const std::filesystem::path& folder, const Input& input, const Percept& percept,
+                  const Segmentation& segmentation, const LevelTimes& times, const Json& config) {
+  write_png(folder / "labels.png", segmentation.labels);
+  write_png(folder / "overlay.png", draw_segments(input.frame, segmentation.labels));
+  write_png(folder / "patches.png", draw_patches(percept.surfaces.labels));
+  if (!input.cloud.empty()) write_point_labels(folder / "labels.pcd", input, segmentation.labels);
+  write_file(folder / "result.json", result_json(input, percept, segmentation, times, config).dump(1) + "\n");
+}
+
+}  // namespace gestalt
