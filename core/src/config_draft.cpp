@@ -136,7 +136,7 @@ class Layer {
     if (node.kind != Node::Kind::scalar || switch_state(node)) {
       problems_.add(node.place, path,
                     "expected a plugin's name, got " + node.description() +
-                        "; on and off are for a component of a list, as in 'structural: {relations: {gabor: off}}'");
+                        "; on and off are for a component of a list, as in 'relations: {name: off}'");
       return;
     }
     if (component.plugin && component.plugin->text != node.text) component.params.clear();

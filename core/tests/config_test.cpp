@@ -350,7 +350,7 @@ TEST_F(ConfigTest, WrongListsOfComponentsAreErrors) {
             Lines{"extended.yaml:3:26: structural.relations[0]: expected a component's name, got 'off'"});
   EXPECT_EQ(error("[{name: colour, plugin: off}]"),
             Lines{"extended.yaml:3:49: structural.relations.colour.plugin: expected a plugin's name, got 'off'; on and "
-                  "off are for a component of a list, as in 'structural: {relations: {gabor: off}}'"});
+                  "off are for a component of a list, as in 'relations: {name: off}'"});
 }
 
 TEST_F(ConfigTest, AFileThatCannotBeReadIsAnErrorAtOnce) {

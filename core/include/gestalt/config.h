@@ -33,8 +33,9 @@ struct Config {
   ComponentConfig solver;                  ///< decision.solver
 };
 
-/// A config file (docs/config.md) with everything it extends and the command line's overrides merged, before it is validated: that needs
-/// the plugins, whose directories only the config knows. Keeps for every value where it came from.
+/// A config file with everything it extends and the command line's overrides merged (docs/config.md tells how), before
+/// it is validated: that needs the plugins, whose directories only the config knows. Keeps for every value where it
+/// came from.
 class GESTALT_EXPORT ConfigTree {
  public:
   /// Reads a config. overrides are "path=value" of the command line, applied in order: `structural.relations.gabor=off`
