@@ -4,9 +4,12 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
+#include <cctype>
+#include <cmath>
 #include <fstream>
 #include <iostream>
 #include <map>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
@@ -22,6 +25,9 @@ namespace fs = std::filesystem;
 using Description = nlohmann::ordered_json;
 
 namespace {
+
+/// To six decimals: depth is stored in single precision, more would be noise.
+double rounded(double value) { return std::round(value * 1e6) / 1e6; }
 
 Description describe_camera(const Camera& c) {
   return {{"width", c.width}, {"height", c.height}, {"fx", c.fx}, {"fy", c.fy}, {"cx", c.cx}, {"cy", c.cy}};
@@ -53,8 +59,8 @@ void add_scene(Description& description, const Input& input, const std::string& 
   description["height"] = frame.height();
   description["colour"] = frame.has_colour();
   description["valid_pixels"] = cv::countNonZero(measured);
-  description["valid_share"] = double(cv::countNonZero(measured)) / double(frame.depth.total());
-  description["depth_range_m"] = {float(nearest), float(farthest)};
+  description["valid_share"] = rounded(double(cv::countNonZero(measured)) / double(frame.depth.total()));
+  description["depth_range_m"] = {rounded(nearest), rounded(farthest)};
   if (!input.point_pixels.empty())
     description["points_outside_image"] = std::count(input.point_pixels.begin(), input.point_pixels.end(), -1);
   if (!input.ground_truth.empty()) description["labels"] = describe_labels(input.ground_truth);

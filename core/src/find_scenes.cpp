@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <cctype>
 #include <map>
 
 #include "gestalt/error.h"
@@ -43,7 +44,7 @@ bool natural_less(const std::string& a, const std::string& b) {
 bool is_cloud(const fs::path& file) {
   std::string extension = file.extension().string();
   std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return std::tolower(c); });
+                 [](unsigned char c) { return char(std::tolower(c)); });
   return extension == ".pcd";
 }
 
