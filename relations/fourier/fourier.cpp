@@ -35,18 +35,11 @@ std::array<float, coefficients> bins_per_unit(const Fourier::Params& params) {
 /// The eight neighbours' transform in two steps of the fast Fourier transform, for pixels 1..width of three padded
 /// rows.
 void transform_row(const uchar* above, const uchar* row, const uchar* below, int width,
-                   const std::array<float, coefficients>& scale, int bins,
-                   const std::array<uchar*, coefficients>& bin) {
+                   std::array<float, coefficients> scale, int bins, std::array<uchar*, coefficients> bin) {
   constexpr float root = float(std::numbers::sqrt2 / 2);
   const float last = float(bins - 1);
   const auto bin_of = [last](float position) { return uchar(int(std::min(position, last))); };
   const auto magnitude = [](float re, float im) { return std::sqrt(re * re + im * im); };
-  uchar* __restrict b0 = bin[0];
-  uchar* __restrict b1 = bin[1];
-  uchar* __restrict b2 = bin[2];
-  uchar* __restrict b3 = bin[3];
-  uchar* __restrict b4 = bin[4];
-  const float s0 = scale[0], s1 = scale[1], s2 = scale[2], s3 = scale[3], s4 = scale[4];
   for (int u = 0; u < width; ++u) {
     // Ring from the right neighbour on; each with its opposite one.
     const int east = row[u + 2], south_east = below[u + 2], south = below[u + 1], south_west = below[u];
@@ -56,11 +49,11 @@ void transform_row(const uchar* above, const uchar* row, const uchar* below, int
     const float odd0 = float(east - west), odd2 = float(south - north);
     const int odd1 = south_east - north_west, odd3 = south_west - north_east;
     const float re = root * float(odd1 - odd3), im = root * float(odd1 + odd3);
-    b0[u] = bin_of(s0 * float(even0 + even1 + even2 + even3));
-    b1[u] = bin_of(s1 * magnitude(odd0 + re, odd2 + im));
-    b2[u] = bin_of(s2 * magnitude(float(even0 - even2), float(even1 - even3)));
-    b3[u] = bin_of(s3 * magnitude(odd0 - re, odd2 - im));
-    b4[u] = bin_of(s4 * std::abs(float(even0 - even1 + even2 - even3)));
+    bin[0][u] = bin_of(scale[0] * float(even0 + even1 + even2 + even3));
+    bin[1][u] = bin_of(scale[1] * magnitude(odd0 + re, odd2 + im));
+    bin[2][u] = bin_of(scale[2] * magnitude(float(even0 - even2), float(even1 - even3)));
+    bin[3][u] = bin_of(scale[3] * magnitude(odd0 - re, odd2 - im));
+    bin[4][u] = bin_of(scale[4] * std::abs(float(even0 - even1 + even2 - even3)));
   }
 }
 
