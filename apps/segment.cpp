@@ -54,7 +54,8 @@ void add_segment(CLI::App& app, Run& run) {
   command->add_option("inputs", options->inputs, "Scene folders, PCD files, or folders of those")
       ->required()
       ->type_name("INPUT");
-  command->add_option("--output", options->output, "Folder for the results, one folder for each scene", true)
+  command->add_option("--output", options->output, "Folder for the results, one folder for each scene")
+      ->capture_default_str()
       ->type_name("DIR");
   command->add_option("--camera", options->camera, "Intrinsics to use instead of the scene's camera.yaml")
       ->type_name("FILE");

@@ -50,8 +50,8 @@ int main(int argc, char** argv) {
   std::vector<std::filesystem::path> scenes;
   int threads = 2, repeats = 3;
   app.add_option("scenes", scenes, "Scene folders (default: ten synthetic complex scenes)");
-  app.add_option("--threads", threads, "Threads", true);
-  app.add_option("--repeats", repeats, "Runs over all frames", true);
+  app.add_option("--threads", threads, "Threads")->capture_default_str();
+  app.add_option("--repeats", repeats, "Runs over all frames")->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
   using Clock = std::chrono::steady_clock;
