@@ -9,6 +9,15 @@
 #include "gestalt/factory.h"
 #include "gestalt/registry.h"
 
+namespace gestalt {
+
+/// For GoogleTest, which looks for it where the type is.
+inline void PrintTo(const ComponentInfo& info, std::ostream* out) {
+  *out << info.kind << " '" << info.name << "' of " << info.library.string();
+}
+
+}  // namespace gestalt
+
 namespace gestalt::conformance {
 
 /// Loads the plugins that are to be checked. Once, before any other function here.
@@ -21,10 +30,6 @@ std::vector<ComponentInfo> subjects_of(std::string_view kind);
 
 inline std::string test_name(const testing::TestParamInfo<ComponentInfo>& info) {
   return info.param.kind + "_" + info.param.name;
-}
-
-inline void PrintTo(const ComponentInfo& info, std::ostream* out) {
-  *out << info.kind << " '" << info.name << "' of " << info.library.string();
 }
 
 /// A test of one component of a kind, made with its default parameters.
