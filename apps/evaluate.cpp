@@ -215,7 +215,6 @@ Model train_without_fold(int held_out, const std::vector<int>& fold, const Evalu
     samples.positive.insert(samples.positive.end(), of_scene.positive.begin(), of_scene.positive.end());
     training.scenes.push_back(scene_name(evaluation.scenes[i]));
   }
-  for (const auto positive : samples.positive) ++(positive ? training.positive_pairs : training.negative_pairs);
   return train_model(pipeline.classifier(), pipeline.config().classifier.plugin, pipeline.value_names(), samples,
                      std::move(training), config_hash(pipeline.config()));
 }

@@ -137,6 +137,30 @@ class Growing {
     }
   }
 
+  /// Gives islands, left-over components of less than smallest_island pixels, to the patch of the touching pixel that
+  /// is nearest in depth: too small to be related to anything, they are noise of the patch around them.
+  void sink_islands(int first_island) {
+    std::vector<std::vector<int>> islands(std::size_t(count_ - first_island + 1));
+    for (int p = 0; p < int(labels_.total()); ++p)
+      if (label(p) >= first_island) islands[std::size_t(label(p) - first_island)].push_back(p);
+    for (const std::vector<int>& island : islands) {
+      if (int(island.size()) >= params_.smallest_island) continue;
+      int nearest = 0;
+      float gap = float(params_.island_distance);
+      for (const int p : island)
+        for_neighbours_4(p, [&](int q) {
+          const float d = std::abs(depth(p) - depth(q));
+          if (label(q) == 0 || label(q) == label(p) || d > gap) return;
+          gap = d;
+          nearest = label(q);
+        });
+      if (nearest == 0) continue;
+      for (const int p : island) label(p) = nearest;
+    }
+  }
+
+  int count() const { return count_; }
+
   /// Labels without gaps.
   cv::Mat_<int> finish(int& count) {
     std::vector<int> number(std::size_t(count_) + 1, 0);
@@ -235,7 +259,9 @@ cv::Mat_<int> grow_patches(const Frame& frame, const NormalMap& normals, const G
   growing.grow_from_seeds();
   growing.cut_spurs();
   growing.reassign_leftovers();
+  const int patches = growing.count();
   growing.gather_leftovers();
+  growing.sink_islands(patches + 1);
   return growing.finish(count);
 }
 

@@ -13,9 +13,11 @@ struct GrowingParams {
   double angle_per_metre = 0.1;
   double distance = -0.002;  ///< omega(z) = distance + distance_per_metre * z, m
   double distance_per_metre = 0.015;
-  int min_patch_size = 9;       ///< px
-  int spur_radius = 2;          ///< px; 0 leaves spurs where they are
-  double spur_distance = 0.01;  ///< m
+  int min_patch_size = 9;         ///< px
+  int spur_radius = 2;            ///< px; 0 leaves spurs where they are
+  double spur_distance = 0.01;    ///< m
+  int smallest_island = 30;       ///< px
+  double island_distance = 0.05;  ///< m
 };
 
 /// Recursive clustering (paper, Section 3). Seeds in order of increasing curvature; a patch grows over 4-neighbours

@@ -124,6 +124,8 @@ Model train_model(const Classifier& classifier, std::string classifier_name, std
   require_both_classes(samples);
   if (names.size() != samples.columns || samples.values.size() != samples.columns * samples.rows())
     throw ModelError("the samples do not have one value for each of: " + joined(names));
+  training.positive_pairs = std::size_t(std::count(samples.positive.begin(), samples.positive.end(), 1));
+  training.negative_pairs = samples.rows() - training.positive_pairs;
   const Scaling scaling = Scaling::of(samples);
   Samples scaled = samples;
   for (std::size_t i = 0; i < samples.rows(); ++i)

@@ -43,7 +43,8 @@ struct GESTALT_EXPORT Model {
   double probability(std::span<const double> values) const;
 };
 
-/// Scales the samples, trains, and bundles the result. samples hold raw values.
+/// Scales the samples, trains, and bundles the result. samples hold raw values; training names their scenes, the pairs
+/// are counted here.
 GESTALT_EXPORT Model train_model(const Classifier& classifier, std::string classifier_name,
                                  std::vector<std::string> names, const Samples& samples, TrainingData training,
                                  std::string config_hash);
