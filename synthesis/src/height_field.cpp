@@ -63,22 +63,24 @@ Eigen::Isometry3d settle(const HeightField& field, std::span<const Eigen::Vector
   };
   Eigen::Isometry3d best = pose_of(orientation);
   const auto potential = [&](const Eigen::Isometry3d& pose) { return (pose * centre_of_mass).z(); };
-  for (const double degrees : {swing, 4.0, 1.0}) {
-    bool lower = true;
-    for (int steps = 0; lower && steps < 25; ++steps) {
-      lower = false;
-      for (const Eigen::Vector3d& axis :
-           {Eigen::Vector3d(1, 0, 0), Eigen::Vector3d(-1, 0, 0), Eigen::Vector3d(0, 1, 0), Eigen::Vector3d(0, -1, 0)}) {
-        const Eigen::AngleAxisd tilt(degrees * std::numbers::pi / 180, axis);
-        const Eigen::Isometry3d tilted = pose_of(tilt.toRotationMatrix() * best.linear());
-        if (potential(tilted) < potential(best) - 1e-4) {
-          best = tilted;
-          lower = true;
-          break;
-        }
+  // A thing on an edge gets lower only by turning about that edge, so axes of every heading are tried, the last first.
+  constexpr int headings = 12;
+  int heading = 0;
+  for (const double degrees : {swing, 4.0, 1.0})
+    for (int steps = 0, failures = 0; steps < 30 && failures < headings;) {
+      const double angle = 2 * std::numbers::pi * heading / headings;
+      const Eigen::Vector3d axis(std::cos(angle), std::sin(angle), 0);
+      const Eigen::AngleAxisd tilt(degrees * std::numbers::pi / 180, axis);
+      const Eigen::Isometry3d tilted = pose_of(tilt.toRotationMatrix() * best.linear());
+      if (potential(tilted) < potential(best) - 1e-4) {
+        best = tilted;
+        ++steps;
+        failures = 0;
+      } else {
+        heading = (heading + 5) % headings;  // 5 has no divisor in common with 12: all headings, far ones first
+        ++failures;
       }
     }
-  }
   return best;
 }
 

@@ -59,7 +59,7 @@ Lighting light(Random& random) {
   lighting.lamp_radius = random.uniform(0.15, 0.5);
   lighting.window =
       Eigen::Vector3d{random.chance(0.5) ? 1.0 : -1.0, random.uniform(-1, 0.4), random.uniform(0.4, 1)}.normalized();
-  const double brightness = random.uniform(0.8, 1.02);
+  const double brightness = random.uniform(0.9, 1.1);
   lighting.lamp_strength = brightness * random.uniform(0.5, 0.7);
   lighting.window_strength = brightness * random.uniform(0.1, 0.25);
   lighting.ambient = brightness * random.uniform(0.42, 0.58);

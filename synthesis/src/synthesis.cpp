@@ -64,8 +64,16 @@ SyntheticScene synthesize(Category category, std::uint64_t seed, int index, cons
                             : index < 100 ? "0"
                                           : "") +
                            std::to_string(index);
+  const auto refuse = [&] {
+    throw InputError(name + ": the objects do not fit into the view of a camera of " + std::to_string(camera.width) +
+                     "x" + std::to_string(camera.height) + " pixels; use one that sees at least 50 x 40 degrees");
+  };
+  constexpr double degrees = CV_PI / 180;
+  if (!(camera.width > 2 * std::tan(25 * degrees) * camera.fx &&
+        camera.height > 2 * std::tan(20 * degrees) * camera.fy))
+    refuse();
   Random layouts = Random::of(seed, std::uint64_t(category) << 32 | std::uint32_t(index));
-  constexpr int attempts = 200;
+  constexpr int attempts = 60;
   for (int attempt = 0; attempt < attempts; ++attempt) {
     Random random(layouts.bits());
     const auto arrangement = lay_out(category, camera, random);
@@ -78,9 +86,8 @@ SyntheticScene synthesize(Category category, std::uint64_t seed, int index, cons
     return {make_frame(name, measure_colour(view, random), depth, camera),
             label_parts(measurement.depth, measurement.body), name_of(category)};
   }
-  throw InputError(name + ": the objects of a " + name_of(category) +
-                   " scene do not fit into the view of a camera of " + std::to_string(camera.width) + "x" +
-                   std::to_string(camera.height) + " pixels; use one that sees at least 50 x 40 degrees");
+  refuse();
+  return {};
 }
 
 }  // namespace gestalt

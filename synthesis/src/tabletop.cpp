@@ -4,11 +4,9 @@
 #include "tabletop.h"
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <limits>
 #include <numbers>
-#include <set>
 
 namespace gestalt::synthesis {
 
@@ -34,11 +32,17 @@ Eigen::Matrix3d random_orientation(Random& random) {
 
 /// The first point in each cube with this edge (metres).
 std::vector<Eigen::Vector3f> thinned(const std::vector<Eigen::Vector3f>& points, float edge) {
-  std::set<std::array<int, 3>> taken;
+  Eigen::AlignedBox3f bounds;
+  for (const Eigen::Vector3f& point : points) bounds.extend(point);
+  const Eigen::Array3i cubes = (bounds.sizes().array() / edge).floor().cast<int>() + 1;
+  std::vector<bool> taken(std::size_t(cubes.prod()), false);
   std::vector<Eigen::Vector3f> kept;
   for (const Eigen::Vector3f& point : points) {
-    const Eigen::Array3i cube = (point.array() / edge).floor().cast<int>();
-    if (taken.insert({cube.x(), cube.y(), cube.z()}).second) kept.push_back(point);
+    const Eigen::Array3i cube = ((point - bounds.min()).array() / edge).floor().cast<int>();
+    const auto index = std::size_t((cube.z() * cubes.y() + cube.y()) * cubes.x() + cube.x());
+    if (taken[index]) continue;
+    taken[index] = true;
+    kept.push_back(point);
   }
   return kept;
 }

@@ -44,8 +44,8 @@ struct SyntheticScene {
 Camera kinect_camera(int width = 640, int height = 480);
 
 /// Lays out, renders and measures one scene. Equal arguments give equal images. Every object shows at least
-/// smallest_object() pixels with depth. Throws InputError when the camera sees too little of the table for that
-/// many objects.
+/// smallest_object() pixels with depth. Throws InputError for a camera that sees less than 50 x 40 degrees, or in whose
+/// view the objects could not be placed.
 SyntheticScene synthesize(Category category, std::uint64_t seed, int index, const Camera& camera = kinect_camera());
 
 /// Fewest pixels of an object: 300 for a Kinect, in proportion to fx fy otherwise, at least 1.
