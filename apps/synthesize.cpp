@@ -38,6 +38,8 @@ int synthesize_scenes(const SynthesizeOptions& options) {
   const Category category = category_of(options.category);
   const Camera camera = kinect_camera(options.width, options.height);
   const std::filesystem::path folder = std::filesystem::absolute(options.output).lexically_normal();
+  // Before anything is written: a camera whose view is refused leaves nothing behind.
+  const SyntheticScene first = synthesize(category, options.seed, 0, camera);
   write_camera(camera, folder);
 
   std::vector<std::string> names(std::size_t(options.count));
@@ -45,7 +47,7 @@ int synthesize_scenes(const SynthesizeOptions& options) {
   const tbb::global_control threads(
       limit, options.threads > 0 ? std::size_t(options.threads) : tbb::global_control::active_value(limit));
   tbb::parallel_for(0, options.count, [&](int index) {
-    const SyntheticScene scene = synthesize(category, options.seed, index, camera);
+    const SyntheticScene scene = index == 0 ? first : synthesize(category, options.seed, index, camera);
     write_scene(scene, folder);
     names[std::size_t(index)] = scene.frame.name;
   });
