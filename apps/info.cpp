@@ -119,8 +119,7 @@ Description describe_model(const nlohmann::json& model) {
 Description describe_result(const nlohmann::json& result) {
   Description description{{"kind", "result of gestalt segment"}};
   for (const char* list : {"segments", "patches", "pairs"}) description[list] = result.at(list).size();
-  for (const char* fact : {"milliseconds", "camera", "versions"})
-    if (result.contains(fact)) description[fact] = result[fact];
+  for (const char* fact : {"scene", "camera", "milliseconds", "gestalt", "build"}) description[fact] = result.at(fact);
   return description;
 }
 
@@ -133,7 +132,7 @@ Description describe_json(const fs::path& file) try {
   std::ifstream in(file, std::ios::binary);
   const nlohmann::json content = nlohmann::json::parse(in);
   if (content.value("format", "") == "gestalt-model") return describe_model(content);
-  if (content.contains("segments")) return describe_result(content);
+  if (content.value("format", "") == "gestalt-result") return describe_result(content);
   fail(file, "is JSON, but neither a model nor a result");
 } catch (const nlohmann::json::exception& error) {
   fail(file, std::string("is no complete model or result: ") + error.what());
