@@ -41,8 +41,10 @@ struct Options {
   RegionKind regions() const { return parts ? RegionKind::parts : RegionKind::objects; }
 };
 
-std::string scene_name(const fs::path& scene) {
-  return (fs::is_directory(scene) ? scene.filename() : scene.stem()).string();
+/// The folder that a scene is in.
+fs::path folder_of(const fs::path& scene) {
+  const fs::path path = fs::absolute(scene).lexically_normal();
+  return path.has_filename() ? path.parent_path() : path.parent_path().parent_path();
 }
 
 /// Category of each scene, from the file <folder>.csv beside the folder that it is in; "" when there is none.
@@ -50,10 +52,10 @@ std::vector<std::string> scene_categories(const std::vector<fs::path>& scenes) {
   std::map<fs::path, std::map<std::string, std::string>> known;
   std::vector<std::string> categories;
   for (const fs::path& scene : scenes) {
-    const fs::path file = fs::absolute(scene).lexically_normal().parent_path().string() + ".csv";
-    const auto& of_folder = known.try_emplace(file, known.contains(file) ? known[file] : read_categories(file)).first;
-    const auto found = of_folder->second.find(scene_name(scene));
-    categories.push_back(found == of_folder->second.end() ? "" : found->second);
+    const fs::path file = folder_of(scene).string() + ".csv";
+    if (!known.contains(file)) known.emplace(file, read_categories(file));
+    const auto found = known[file].find(scene_name(scene));
+    categories.push_back(found == known[file].end() ? "" : found->second);
   }
   return categories;
 }

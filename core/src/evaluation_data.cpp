@@ -3,13 +3,12 @@
 
 #include <algorithm>
 #include <fstream>
-#include <iterator>
 #include <limits>
-#include <opencv2/imgcodecs.hpp>
 #include <random>
 
 #include "gestalt/error.h"
 #include "gestalt/evaluation.h"
+#include "png_file.h"
 
 namespace gestalt {
 
@@ -29,21 +28,7 @@ std::vector<std::string> split_at_commas(std::string line) {
 
 }  // namespace
 
-cv::Mat_<std::uint16_t> read_label_image(const std::filesystem::path& file) {
-  // From memory: imread prints about missing files.
-  std::ifstream in(file, std::ios::binary);
-  const std::vector<char> bytes{std::istreambuf_iterator<char>(in), std::istreambuf_iterator<char>()};
-  if (bytes.empty()) throw InputError(file.string() + ": is missing or empty; a label image is needed here");
-  const cv::Mat image = cv::imdecode(bytes, cv::IMREAD_UNCHANGED);
-  if (image.empty())
-    throw InputError(file.string() + ": is no image or damaged; give a label image (PNG, one channel, 8 or 16 bits)");
-  if (image.channels() != 1)
-    throw InputError(file.string() + ": has " + std::to_string(image.channels()) +
-                     " channels; a label image has one, of 8 or 16 bits");
-  if (image.depth() != CV_8U && image.depth() != CV_16U)
-    throw InputError(file.string() + ": its pixels are not unsigned numbers of 8 or 16 bits, as labels are");
-  return image;
-}
+cv::Mat_<std::uint16_t> read_label_image(const std::filesystem::path& file) { return read_label_png(file); }
 
 std::map<std::string, std::string> read_categories(const std::filesystem::path& file) {
   std::ifstream in(file);

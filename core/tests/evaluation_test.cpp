@@ -8,11 +8,11 @@
 #include <algorithm>
 #include <cmath>
 #include <filesystem>
-#include <fstream>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 
 #include "gestalt/error.h"
+#include "temporary_folder.h"
 
 namespace gestalt {
 namespace {
@@ -255,45 +255,36 @@ TEST(ToJson, GivesFractionsByCategory) {
 
 class EvaluationFiles : public testing::Test {
  protected:
-  void SetUp() override { fs::create_directories(folder_); }
-  void TearDown() override { fs::remove_all(folder_); }
-
-  fs::path write(const std::string& name, const std::string& text) const {
-    std::ofstream(folder_ / name) << text;
-    return folder_ / name;
-  }
-
-  const fs::path folder_ = fs::path(testing::TempDir()) /
-                           (std::string("gestalt_") + testing::UnitTest::GetInstance()->current_test_info()->name());
+  const test::TemporaryFolder folder_;
 };
 
 TEST_F(EvaluationFiles, LabelImagesHave8Or16Bits) {
   for (const int type : {CV_8U, CV_16U}) {
     cv::Mat image(2, 3, type, cv::Scalar(type == CV_8U ? 255 : 60000));
-    cv::imwrite((folder_ / "labels.png").string(), image);
-    const Labels labels = read_label_image(folder_ / "labels.png");
+    cv::imwrite((folder_.path() / "labels.png").string(), image);
+    const Labels labels = read_label_image(folder_.path() / "labels.png");
     EXPECT_EQ(labels.size(), cv::Size(3, 2));
     EXPECT_EQ(labels(1, 2), type == CV_8U ? 255 : 60000);
   }
 }
 
 TEST_F(EvaluationFiles, OtherImagesAreRefused) {
-  cv::imwrite((folder_ / "colour.png").string(), cv::Mat(2, 3, CV_8UC3, cv::Scalar::all(1)));
-  EXPECT_THROW(read_label_image(folder_ / "colour.png"), InputError);
-  EXPECT_THROW(read_label_image(folder_ / "missing.png"), InputError);
-  EXPECT_THROW(read_label_image(write("text.png", "not an image")), InputError);
+  cv::imwrite((folder_.path() / "colour.png").string(), cv::Mat(2, 3, CV_8UC3, cv::Scalar::all(1)));
+  EXPECT_THROW(read_label_image(folder_.path() / "colour.png"), InputError);
+  EXPECT_THROW(read_label_image(folder_.path() / "missing.png"), InputError);
+  EXPECT_THROW(read_label_image(folder_.write("text.png", "not an image")), InputError);
 }
 
 TEST_F(EvaluationFiles, CategoriesAreReadByColumnName) {
   const auto categories =
-      read_categories(write("scenes.csv", "category,note,scene\r\nboxes,,learn1\r\nbowls,x,learn2\r\n\r\n"));
+      read_categories(folder_.write("scenes.csv", "category,note,scene\r\nboxes,,learn1\r\nbowls,x,learn2\r\n\r\n"));
   EXPECT_EQ(categories, (std::map<std::string, std::string>{{"learn1", "boxes"}, {"learn2", "bowls"}}));
-  EXPECT_TRUE(read_categories(folder_ / "missing.csv").empty());
+  EXPECT_TRUE(read_categories(folder_.path() / "missing.csv").empty());
 }
 
 TEST_F(EvaluationFiles, WrongCategoryFilesAreRefusedWithTheLine) {
-  EXPECT_THROW(read_categories(write("head.csv", "learn1,boxes\n")), InputError);
-  const fs::path file = write("short.csv", "scene,category\nlearn1,boxes\nlearn2\n");
+  EXPECT_THROW(read_categories(folder_.write("head.csv", "learn1,boxes\n")), InputError);
+  const fs::path file = folder_.write("short.csv", "scene,category\nlearn1,boxes\nlearn2\n");
   try {
     read_categories(file);
     FAIL() << "a short line was taken";

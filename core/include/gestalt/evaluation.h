@@ -98,7 +98,7 @@ GESTALT_EXPORT std::string format_tables(const std::vector<ScoreRow>& rows, Regi
 /// The rows by category, every value as a fraction: {"boxes": {"images": 17, "P": 0.99, "table:oF": 0.95, ...}, ...}.
 GESTALT_EXPORT nlohmann::ordered_json to_json(const std::vector<ScoreRow>& rows);
 
-/// Reads a label image: one channel of 8 or 16 bits. Throws InputError for any other file.
+/// Reads a label image: a PNG of one channel of 8 or 16 bits. Throws InputError for any other file.
 GESTALT_EXPORT cv::Mat_<std::uint16_t> read_label_image(const std::filesystem::path& file);
 
 /// Category of each scene name, from a file with the columns scene and category. Empty when there is no such file.
