@@ -219,16 +219,19 @@ class Growing {
     front_.assign(1, seed);
     label(seed) = own;
     plane.add(frame_.point(seed), normal(seed));
-    for (std::size_t i = 0; i < front_.size(); ++i)
-      for_neighbours_4(front_[i], [&](int q) {
-        if (label(q) != 0 || !(normals_.curvature.ptr<float>()[q] < 1)) return;
-        const Eigen::Vector3f p = frame_.point(q), n = normal(q);
-        const float cosine = std::cos(std::min(float(params_.angle + params_.angle_per_metre * p.z()), 3.14159265f));
-        if (n.dot(plane.normal) < cosine || plane.distance(p) > omega(p.z())) return;
-        label(q) = own;
-        plane.add(p, n);
-        front_.push_back(q);
-      });
+    // The plane of a young patch wobbles and turns pixels away that belong to it: once it has settled, all are asked
+    // again.
+    for (int round = 0; round < 2; ++round)
+      for (std::size_t i = 0; i < front_.size(); ++i)
+        for_neighbours_4(front_[i], [&](int q) {
+          if (label(q) != 0 || !(normals_.curvature.ptr<float>()[q] < 1)) return;
+          const Eigen::Vector3f p = frame_.point(q), n = normal(q);
+          const float cosine = std::cos(std::min(float(params_.angle + params_.angle_per_metre * p.z()), 3.14159265f));
+          if (n.dot(plane.normal) < cosine || plane.distance(p) > omega(p.z())) return;
+          label(q) = own;
+          plane.add(p, n);
+          front_.push_back(q);
+        });
     if (int(front_.size()) >= params_.min_patch_size) return;
     for (const int pixel : front_) label(pixel) = 0;
     --count_;
