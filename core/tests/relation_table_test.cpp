@@ -1,0 +1,124 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gestalt/relation_table.h"
+
+#include <gtest/gtest.h>
+
+#include <cmath>
+
+#include "gestalt/error.h"
+#include "gestalt/learning_set.h"
+#include "test_scenes.h"
+
+namespace gestalt {
+namespace {
+
+/// Gives a + 100 b as r_x, or a fixed value.
+class Numbered final : public Relation {
+ public:
+  explicit Numbered(std::string name, double fixed = -1) : values_{{std::move(name), 0, 1000, ""}}, fixed_(fixed) {}
+  const std::vector<RelationValue>& values() const override { return values_; }
+  std::unique_ptr<Measure> bind(const Scene&) const override { return std::make_unique<Value>(fixed_); }
+
+ private:
+  struct Value final : Measure {
+    explicit Value(double value) : fixed(value) {}
+    void operator()(const SurfacePair& pair, std::span<double> out) const override {
+      out[0] = fixed == -1 ? pair.a + 100 * pair.b : fixed;
+    }
+    double fixed;
+  };
+  std::vector<RelationValue> values_;
+  double fixed_;
+};
+
+NamedRelation numbered(const std::string& name, double fixed = -1) {
+  return {name, std::make_shared<Numbered>("r_" + name, fixed)};
+}
+
+/// Three squares in a row, 1 and 2 touching in space, 2 and 3 only in the image.
+test::KnownScene row() {
+  return test::render({{{100, 100, 20, 20}, {0, 0, 1}, {0, 0, -1}},
+                       {{120, 100, 20, 20}, {0, 0, 1}, {0, 0, -1}},
+                       {{140, 100, 20, 20}, {0, 0, 1.5f}, {0, 0, -1}}});
+}
+
+TEST(RelationTable, HoldsNeighboursIn3DOnly) {
+  const auto known = row();
+  const Scene scene(known.frame, known.patches, known.surfaces);
+  const RelationTable table = relate_neighbours(scene, {numbered("x"), numbered("y", 7)}, 1);
+  EXPECT_EQ(table.names, (std::vector<std::string>{"r_x", "r_y"}));
+  ASSERT_EQ(table.pairs.size(), 1u);
+  EXPECT_EQ(table.row(0)[0], 100);
+  EXPECT_EQ(table.row(0)[1], 7);
+}
+
+TEST(RelationTable, LeavesSmallPatchesOut) {
+  const auto known = row();
+  const Scene scene(known.frame, known.patches, known.surfaces);
+  EXPECT_EQ(relate_neighbours(scene, {numbered("x")}, 400).pairs.size(), 1u);
+  EXPECT_TRUE(relate_neighbours(scene, {numbered("x")}, 401).pairs.empty());
+}
+
+TEST(RelationTable, NamesTheRelationThatBreaksItsPromise) {
+  const auto known = row();
+  const Scene scene(known.frame, known.patches, known.surfaces);
+  for (const double wrong : {std::nan(""), HUGE_VAL, 1001.0, -0.5}) {
+    try {
+      relate_neighbours(scene, {numbered("x"), numbered("wrong", wrong)}, 1);
+      FAIL() << wrong;
+    } catch (const PluginError& error) {
+      EXPECT_NE(std::string(error.what()).find("'wrong'"), std::string::npos) << error.what();
+    }
+  }
+}
+
+TEST(RelationTable, RefusesTwoValuesOfOneName) {
+  EXPECT_THROW(value_names({numbered("x"), numbered("x")}), ConfigError);
+}
+
+TEST(LearningSet, LabelsPairsByTheMajorityObject) {
+  Percept percept;
+  const auto known = test::render({{{0, 0, 10, 10}, {0, 0, 1}, {0, 0, -1}},
+                                   {{10, 0, 10, 10}, {0, 0, 1}, {0, 0, -1}},
+                                   {{20, 0, 10, 10}, {0, 0, 1}, {0, 0, -1}},
+                                   {{30, 0, 10, 10}, {0, 0, 1}, {0, 0, -1}},
+                                   {{40, 0, 10, 10}, {0, 0, 1}, {0, 0, -1}}},
+                                  test::kinect(64, 48));
+  percept.surfaces = known.surfaces;
+  // Patches: object 1 (part 20), object 1 (part 21), object 2, background, no ground truth.
+  cv::Mat_<std::uint16_t> truth(48, 64, std::uint16_t{0});
+  truth(cv::Rect(0, 0, 10, 10)) = 20;
+  truth(cv::Rect(0, 0, 4, 10)) = 1;  // a minority
+  truth(cv::Rect(10, 0, 10, 10)) = 21;
+  truth(cv::Rect(20, 0, 10, 10)) = 30;
+  truth(cv::Rect(30, 0, 10, 10)) = 2;
+  EXPECT_EQ(surface_objects(percept.surfaces, truth), (std::vector<int>{2, 2, 3, 1, 0}));
+
+  percept.relations = {{"r_x"}, {{0, 1}, {0, 2}, {0, 3}, {1, 4}, {3, 4}}, {1, 2, 3, 4, 5}};
+  Samples samples;
+  append_pairs(percept, truth, samples);
+  EXPECT_EQ(samples.positive, (std::vector<std::uint8_t>{1, 0, 0}));
+  EXPECT_EQ(samples.values, (std::vector<double>{1, 2, 3}));
+}
+
+TEST(LearningSet, LeavesOutPairsOfTwoBackgroundPatches) {
+  Percept percept;
+  const auto known = test::render({{{0, 0, 10, 10}, {0, 0, 1}, {0, 0, -1}}, {{10, 0, 10, 10}, {0, 0, 1}, {0, 0, -1}}},
+                                  test::kinect(64, 48));
+  percept.surfaces = known.surfaces;
+  percept.relations = {{"r_x"}, {{0, 1}}, {1}};
+  cv::Mat_<std::uint16_t> truth(48, 64, std::uint16_t{1});
+  truth(cv::Rect(10, 0, 10, 10)) = 2;
+  Samples samples;
+  append_pairs(percept, truth, samples);
+  EXPECT_EQ(samples.rows(), 0u);
+}
+
+TEST(LearningSet, RefusesGroundTruthOfAnotherSize) {
+  EXPECT_THROW(surface_objects(row().surfaces, cv::Mat_<std::uint16_t>(10, 10, std::uint16_t{1})), InputError);
+}
+
+}  // namespace
+}  // namespace gestalt

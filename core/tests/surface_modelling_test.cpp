@@ -1,0 +1,150 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gestalt/surface_modelling.h"
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+
+#include "gestalt/error.h"
+#include "test_scenes.h"
+
+namespace gestalt {
+namespace {
+
+/// Fits the plane z = mean(z), whatever the points: enough to follow the arithmetic of model selection by hand.
+class FrontalPlane : public Fitter {
+ public:
+  explicit FrontalPlane(double parameters) : parameters_(parameters) {}
+  double parameter_count() const override { return parameters_; }
+  std::shared_ptr<const SurfaceModel> fit(std::span<const Eigen::Vector3f> points) const override {
+    float sum = 0;
+    for (const Eigen::Vector3f& p : points) sum += p.z();
+    return test::exact_plane({0, 0, sum / float(points.size())}, {0, 0, -1});
+  }
+
+ private:
+  double parameters_;
+};
+
+/// A surface that passes through every point, at a price.
+class PerfectFitter final : public FrontalPlane {
+ public:
+  using FrontalPlane::FrontalPlane;
+  std::shared_ptr<const SurfaceModel> fit(std::span<const Eigen::Vector3f>) const override {
+    struct Perfect final : SurfaceModel {
+      std::string type() const override { return "perfect"; }
+      Foot foot(const Eigen::Vector3f& p) const override { return {p, {0, 0, -1}}; }
+      nlohmann::json to_json() const override { return {{"type", "perfect"}}; }
+    };
+    return std::make_shared<Perfect>();
+  }
+};
+
+class NoFitter final : public FrontalPlane {
+ public:
+  using FrontalPlane::FrontalPlane;
+  std::shared_ptr<const SurfaceModel> fit(std::span<const Eigen::Vector3f>) const override { return nullptr; }
+};
+
+using Fitters = std::vector<std::shared_ptr<const Fitter>>;
+Fitters frontal() { return {std::make_shared<FrontalPlane>(12)}; }
+
+/// Two squares of 20 x 20 pixels side by side, the right one farther away by a step.
+test::KnownScene step(float height) {
+  return test::render(
+      {{{100, 100, 20, 20}, {0, 0, 1}, {0, 0, -1}}, {{120, 100, 20, 20}, {0, 0, 1 + height}, {0, 0, -1}}});
+}
+
+TEST(SurfaceModelling, MergesPatchesOfOnePlane) {
+  const auto scene = step(0);
+  const SurfaceSet set = model_surfaces(scene.frame, scene.patches, frontal(), {});
+  ASSERT_EQ(set.surfaces.size(), 1u);
+  EXPECT_EQ(set.surfaces[0].pixels.size(), 800u);
+  EXPECT_TRUE(std::is_sorted(set.surfaces[0].pixels.begin(), set.surfaces[0].pixels.end()));
+  EXPECT_TRUE(set.adjacencies.empty());
+}
+
+TEST(SurfaceModelling, KeepsAStepThatOnePlaneDoesNotExplain) {
+  const auto scene = step(0.008f);
+  const SurfaceSet set = model_surfaces(scene.frame, scene.patches, frontal(), {});
+  ASSERT_EQ(set.surfaces.size(), 2u);
+  ASSERT_EQ(set.adjacencies.size(), 1u);
+  EXPECT_EQ(set.labels(110, 105), 1);
+  EXPECT_EQ(set.labels(110, 125), 2);
+}
+
+TEST(SurfaceModelling, MergesExactlyWhenTheSavingsGrow) {
+  // One plane between two equal patches leaves e = step / 2 at each of the 2n points: merging pays while
+  // kappa_1 * 12 > 2 (1 - exp(-e^2 / sigma^2)), with A_m = n.
+  SurfaceModellingParams params;
+  const double e = params.sigma * std::sqrt(-std::log(1 - params.kappa_1 * 12 / 2));
+  const auto below = step(float(2 * e * 0.97)), above = step(float(2 * e * 1.03));
+  EXPECT_EQ(model_surfaces(below.frame, below.patches, frontal(), params).surfaces.size(), 1u);
+  EXPECT_EQ(model_surfaces(above.frame, above.patches, frontal(), params).surfaces.size(), 2u);
+}
+
+TEST(SurfaceModelling, ATableDoesNotSwallowASmallPatchBesideIt) {
+  const auto scene =
+      test::render({{{0, 0, 640, 400}, {0, 0, 1}, {0, 0, -1}}, {{300, 200, 10, 10}, {0, 0, 0.992f}, {0, 0, -1}}});
+  EXPECT_EQ(model_surfaces(scene.frame, scene.patches, frontal(), {}).surfaces.size(), 2u);
+}
+
+TEST(SurfaceModelling, ChoosesTheDearerModelOnlyWhereItPays) {
+  // A plane at 45 degrees is explained badly by a frontal one, a frontal patch perfectly.
+  const auto scene =
+      test::render({{{100, 100, 30, 30}, {0, 0, 1}, {1, 0, -1}}, {{300, 100, 30, 30}, {0, 0, 1}, {0, 0, -1}}});
+  const Fitters both{std::make_shared<FrontalPlane>(12), std::make_shared<PerfectFitter>(27)};
+  const SurfaceSet set = model_surfaces(scene.frame, scene.patches, both, {});
+  ASSERT_EQ(set.surfaces.size(), 2u);
+  EXPECT_EQ(set.surfaces[0].model->type(), "perfect");
+  EXPECT_EQ(set.surfaces[1].model->type(), "plane");
+}
+
+TEST(SurfaceModelling, LeavesALargePatchToTheFirstFitter) {
+  const auto scene = test::render({{{100, 100, 30, 30}, {0, 0, 1}, {1, 0, -1}}});
+  const Fitters both{std::make_shared<FrontalPlane>(12), std::make_shared<PerfectFitter>(27)};
+  SurfaceModellingParams params;
+  params.largest_patch = 899;
+  EXPECT_EQ(model_surfaces(scene.frame, scene.patches, both, params).surfaces[0].model->type(), "plane");
+}
+
+TEST(SurfaceModelling, NamesTheRemedyWhenNoFitterFits) {
+  const auto scene = step(0);
+  try {
+    model_surfaces(scene.frame, scene.patches, {std::make_shared<NoFitter>(12)}, {});
+    FAIL();
+  } catch (const PluginError& error) {
+    EXPECT_NE(std::string(error.what()).find("primitive.fitters"), std::string::npos);
+  }
+}
+
+TEST(Adjacencies, AreTheTouchingPixelsOf8Neighbours) {
+  const auto scene = step(0.02f);
+  const auto adjacencies = find_adjacencies(scene.frame, scene.patches.labels, {});
+  ASSERT_EQ(adjacencies.size(), 1u);
+  EXPECT_EQ(adjacencies[0].a, 0);
+  EXPECT_EQ(adjacencies[0].b, 1);
+  EXPECT_EQ(adjacencies[0].border_2d.size(), 20u + 19u + 19u);  // straight across, and both diagonals
+  EXPECT_TRUE(adjacencies[0].border_3d.empty());                // 2 cm at 1 m is more than 0.007 z
+  for (const PixelPair& p : adjacencies[0].border_2d) {
+    EXPECT_EQ(scene.patches.labels(p.a / 640, p.a % 640), 1);
+    EXPECT_EQ(scene.patches.labels(p.b / 640, p.b % 640), 2);
+  }
+}
+
+TEST(Adjacencies, OfASmallStepAreIn3D) {
+  const auto scene = step(0.005f);
+  const auto adjacencies = find_adjacencies(scene.frame, scene.patches.labels, {});
+  EXPECT_EQ(adjacencies.at(0).border_3d.size(), adjacencies.at(0).border_2d.size());
+}
+
+TEST(Adjacencies, DoNotCrossPixelsWithoutDepth) {
+  const auto scene =
+      test::render({{{100, 100, 20, 20}, {0, 0, 1}, {0, 0, -1}}, {{121, 100, 20, 20}, {0, 0, 1}, {0, 0, -1}}});
+  EXPECT_TRUE(find_adjacencies(scene.frame, scene.patches.labels, {}).empty());
+}
+
+}  // namespace
+}  // namespace gestalt

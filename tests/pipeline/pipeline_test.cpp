@@ -1,0 +1,169 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// The default config with the plugins and the model of this build, on synthetic scenes and on the learn set.
+
+#include "gestalt/pipeline.h"
+
+#include <gtest/gtest.h>
+#include <tbb/global_control.h>
+
+#include <algorithm>
+#include <filesystem>
+#include <future>
+#include <nlohmann/json.hpp>
+
+#include "gestalt/error.h"
+#include "gestalt/evaluation.h"
+#include "gestalt/input.h"
+#include "gestalt/learning_set.h"
+#include "gestalt/result.h"
+#include "gestalt/synthesis.h"
+#include "test_scenes.h"
+
+namespace gestalt {
+namespace {
+
+struct DefaultPipeline {
+  explicit DefaultPipeline(const std::vector<std::string>& overrides = {})
+      : tree(default_config(), overrides),
+        registry(plugin_search_path(tree.plugin_directories())),
+        pipeline(tree.resolve(registry), registry) {}
+  ConfigTree tree;
+  Registry registry;
+  Pipeline pipeline;
+};
+
+SyntheticScene scene(Category category, int index = 0) { return synthesize(category, 11, index, kinect_camera()); }
+
+/// Everything of a result that must not depend on threads or runs.
+struct Outcome {
+  cv::Mat_<std::uint16_t> labels;
+  nlohmann::json json;
+};
+
+Outcome run(const Pipeline& pipeline, const Model& model, const Frame& frame) {
+  const Percept percept = pipeline.perceive(frame);
+  const Segmentation segmentation = pipeline.decide(percept, model);
+  Input input;
+  input.frame = frame;
+  return {segmentation.labels, result_json(input, percept, segmentation, {}, {})};
+}
+
+void expect_equal(const Outcome& x, const Outcome& y) {
+  EXPECT_EQ(cv::countNonZero(x.labels != y.labels), 0);
+  EXPECT_TRUE(x.json == y.json);
+}
+
+TEST(DefaultPipeline, SeparatesStandingBoxesFromTheTable) {
+  const DefaultPipeline gestalt;
+  const Model model = gestalt.pipeline.load_model();
+  std::vector<ImageScore> scores;
+  for (int i = 0; i < 4; ++i) {
+    const SyntheticScene boxes = scene(Category::boxes, i);
+    const Segmentation segmentation = gestalt.pipeline.decide(gestalt.pipeline.perceive(boxes.frame), model);
+    scores.push_back(score_image(boxes.ground_truth, segmentation.labels, RegionKind::objects));
+  }
+  const ScoreRow all = summarise(scores, std::vector<std::string>(scores.size())).back();
+  EXPECT_GT(all.pooled.precision(), 0.95);
+  EXPECT_GT(all.pooled.recall(), 0.9);
+}
+
+TEST(DefaultPipeline, NumbersSegmentsBySizeWithoutGaps) {
+  const DefaultPipeline gestalt;
+  const Segmentation s = gestalt.pipeline.decide(gestalt.pipeline.perceive(scene(Category::mixed_objects).frame),
+                                                 gestalt.pipeline.load_model());
+  ASSERT_FALSE(s.segments.empty());
+  for (std::size_t i = 0; i < s.segments.size(); ++i) {
+    EXPECT_EQ(cv::countNonZero(s.labels == int(i + 1)), s.segments[i].pixel_count);
+    EXPECT_TRUE(i == 0 || s.segments[i].pixel_count <= s.segments[i - 1].pixel_count);
+  }
+}
+
+TEST(DefaultPipeline, GivesTheSameForAnyNumberOfThreads) {
+  const DefaultPipeline gestalt;
+  const Model model = gestalt.pipeline.load_model();
+  for (const Category category : {Category::cylindric_objects, Category::complex_scene}) {
+    const Frame frame = scene(category).frame;
+    std::vector<Outcome> outcomes;
+    for (const std::size_t threads : {1, 8, 8}) {
+      const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
+      outcomes.push_back(run(gestalt.pipeline, model, frame));
+    }
+    expect_equal(outcomes[0], outcomes[1]);
+    expect_equal(outcomes[0], outcomes[2]);
+  }
+}
+
+TEST(DefaultPipeline, MayBeUsedFromManyThreadsAtOnce) {
+  const DefaultPipeline gestalt;
+  const Model model = gestalt.pipeline.load_model();
+  const Frame frame = scene(Category::mixed_objects).frame;
+  const Outcome alone = run(gestalt.pipeline, model, frame);
+  std::vector<std::future<Outcome>> together;
+  for (int i = 0; i < 4; ++i)
+    together.push_back(std::async(std::launch::async, [&] { return run(gestalt.pipeline, model, frame); }));
+  for (auto& outcome : together) expect_equal(alone, outcome.get());
+}
+
+TEST(DefaultPipeline, FindsNoPairOnASinglePlane) {
+  const DefaultPipeline gestalt;
+  const auto wall = test::render({{{0, 0, 640, 480}, {0, 0, 1}, {0, 0, -1}}});
+  const Percept percept = gestalt.pipeline.perceive(wall.frame);
+  EXPECT_EQ(percept.surfaces.surfaces.size(), 1u);
+  EXPECT_TRUE(percept.relations.pairs.empty());
+  const Segmentation segmentation = gestalt.pipeline.decide(percept, gestalt.pipeline.load_model());
+  EXPECT_EQ(segmentation.segments.size(), 1u);
+  EXPECT_EQ(segmentation.segments[0].pixel_count, 640 * 480);
+}
+
+TEST(DefaultPipeline, WorksOnAnyImageSize) {
+  const DefaultPipeline gestalt;
+  const Model model = gestalt.pipeline.load_model();
+  for (const cv::Size size : {cv::Size(1, 1), cv::Size(1, 40), cv::Size(37, 3), cv::Size(1280, 960)}) {
+    const auto frame =
+        test::render({{{0, 0, size.width, size.height}, {0, 0, 1}, {0, 0, -1}}}, test::kinect(size.width, size.height))
+            .frame;
+    const Outcome outcome = run(gestalt.pipeline, model, frame);
+    EXPECT_EQ(outcome.labels.size(), size);
+    EXPECT_EQ(cv::countNonZero(outcome.labels), size.area());
+  }
+}
+
+TEST(DefaultPipeline, RefusesAFrameWithoutColourWhenARelationNeedsIt) {
+  const DefaultPipeline gestalt;
+  Frame frame = scene(Category::boxes).frame;
+  frame.colour.release();
+  try {
+    gestalt.pipeline.perceive(frame);
+    FAIL();
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("colour"), std::string::npos);
+  }
+  const DefaultPipeline colourless({"structural.relations.colour_histogram=off",
+                                    "structural.relations.texture_quantity=off", "structural.relations.gabor=off",
+                                    "structural.relations.fourier=off", "structural.relations.border_colour=off"});
+  EXPECT_GT(colourless.pipeline.perceive(frame).relations.pairs.size(), 0u);
+  EXPECT_THROW(colourless.pipeline.load_model(), ModelError);
+}
+
+TEST(LearnSet, TrainsTheModelThatIsShipped) {
+  const std::filesystem::path folder = std::filesystem::path(GESTALT_SHARED_DATA) / "osd" / "learn";
+  if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "the learn set is not at " << folder;
+  const DefaultPipeline gestalt;
+  Samples samples;
+  for (const auto& path : find_scenes({folder})) {
+    const Input input = read_scene(path);
+    append_pairs(gestalt.pipeline.perceive(input.frame), input.ground_truth, samples);
+  }
+  const Model shipped = gestalt.pipeline.load_model();
+  EXPECT_EQ(shipped.training.scenes.size(), 45u);
+  EXPECT_EQ(shipped.training.positive_pairs + shipped.training.negative_pairs, samples.rows());
+  const Model fresh =
+      train_model(gestalt.pipeline.classifier(), "svm", gestalt.pipeline.value_names(), samples, {}, "");
+  for (std::size_t i = 0; i < samples.rows(); ++i)
+    EXPECT_NEAR(fresh.probability(samples.row(i)), shipped.probability(samples.row(i)), 1e-6);
+}
+
+}  // namespace
+}  // namespace gestalt
