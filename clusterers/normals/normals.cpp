@@ -32,7 +32,7 @@ const Parameters<Normals::Params>& Normals::parameters() {
           .real("spur_distance", static_cast<double P::*>(&P::spur_distance), 0, 1, "m",
                 "a left-over pixel joins a patch that it touches within this distance")
           .integer("smallest_island", static_cast<int P::*>(&P::smallest_island), 0, 1000000, "px",
-                   "smaller left-over components join a patch beside them")
+                   "smaller left-over components join a patch beside them, or none")
           .real("island_distance", static_cast<double P::*>(&P::island_distance), 0, 10, "m",
                 "largest depth difference to that patch");
   return parameters;

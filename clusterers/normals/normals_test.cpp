@@ -45,12 +45,23 @@ TEST(Normals, CutsAStepInParallelPlanes) {
   EXPECT_EQ(label_at(map, 520, 240), label_at(map, 120, 240));
 }
 
-TEST(Normals, GivesASinglePixelItsOwnPatch) {
+TEST(Normals, LeavesASpeckInNoPatch) {
   const auto scene = test::render({{{3, 2, 1, 1}, {0, 0, 1}, {0, 0, -1}}}, test::kinect(8, 6));
-  const PatchMap map = Normals({}).cluster(scene.frame);
+  EXPECT_EQ(Normals({}).cluster(scene.frame).count, 0);
+  Normals::Params all;
+  all.smallest_island = 0;
+  const PatchMap map = Normals(all).cluster(scene.frame);
   EXPECT_EQ(map.count, 1);
   EXPECT_EQ(label_at(map, 3, 2), 1);
   EXPECT_EQ(cv::countNonZero(map.labels), 1);
+}
+
+TEST(Normals, SinksASpeckIntoThePatchAroundIt) {
+  const auto scene =
+      test::render({{{100, 100, 60, 60}, {0, 0, 1}, {0, 0, -1}}, {{130, 130, 2, 2}, {0, 0, 0.97f}, {0, 0, -1}}});
+  const PatchMap map = Normals({}).cluster(scene.frame);
+  EXPECT_EQ(map.count, 1);
+  EXPECT_EQ(label_at(map, 130, 130), 1);
 }
 
 TEST(Normals, LabelsEveryValidPixelAndLeavesNoGap) {

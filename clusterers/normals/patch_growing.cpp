@@ -154,7 +154,6 @@ class Growing {
           gap = d;
           nearest = label(q);
         });
-      if (nearest == 0) continue;
       for (const int p : island) label(p) = nearest;
     }
   }

@@ -24,7 +24,7 @@ struct GrowingParams {
 /// whose normal is within eps(z) of the patch's mean normal and which lie within omega(z) of the patch's running plane.
 /// Then spurs, strips too thin for a square of 2 * spur_radius + 1 pixels, are cut from their patches and, like the
 /// pixels without a normal, go to the touching patch whose plane is nearest. What no patch takes is clustered by
-/// connectivity. Gives labels 1..count in order of growth, all in use; 0 where there is no depth.
+/// connectivity. Gives labels 1..count in order of growth, all in use; 0 where there is no depth, and for specks.
 cv::Mat_<int> grow_patches(const Frame& frame, const NormalMap& normals, const GrowingParams& params, int& count);
 
 }  // namespace gestalt
