@@ -7,6 +7,7 @@
 
 #include <cerrno>
 #include <cstring>
+#include <deque>
 #include <fstream>
 #include <opencv2/imgcodecs.hpp>
 
@@ -16,37 +17,80 @@ namespace gestalt {
 
 namespace fs = std::filesystem;
 
-void write_file(const fs::path& file, std::string_view bytes) {
-  const auto fail = [&](const std::string& why) { throw OutputError(file.string() + ": cannot be written: " + why); };
-  std::error_code error;
-  if (file.has_parent_path()) fs::create_directories(file.parent_path(), error);
-  if (error) fail(error.message() + "; choose another --output");
+namespace {
 
-  fs::path temporary = file;
-  temporary += ".tmp" + std::to_string(::getpid());
-  errno = 0;
-  std::ofstream out(temporary, std::ios::binary);
-  out.write(bytes.data(), std::streamsize(bytes.size()));
-  out.close();
-  if (!out) {
+/// A written file that still has its temporary name, and is removed if it keeps that.
+class StagedFile {
+ public:
+  StagedFile(const fs::path& file, std::string_view bytes) : file_(file), target_(target()), temporary_(target_) {
+    temporary_ += ".tmp" + std::to_string(::getpid());
+    errno = 0;
+    std::ofstream out(temporary_, std::ios::binary);
+    out.write(bytes.data(), std::streamsize(bytes.size()));
+    out.close();
+    if (out) return;
     const std::string why = errno ? std::strerror(errno) : "the file system refused it";
-    fs::remove(temporary, error);
+    remove();
     fail(why + "; check permission and free space");
   }
-  fs::rename(temporary, file, error);
-  if (error) {
-    const std::string why = error.message();
-    fs::remove(temporary, error);
-    fail(why);
+  StagedFile(const StagedFile&) = delete;
+  StagedFile& operator=(const StagedFile&) = delete;
+  ~StagedFile() { remove(); }
+
+  void publish() {
+    std::error_code error;
+    fs::rename(temporary_, target_, error);
+    if (error) fail(error.message() + "; choose another --output");
+    temporary_.clear();
   }
+
+ private:
+  [[noreturn]] void fail(const std::string& why) const {
+    throw OutputError(file_.string() + ": cannot be written: " + why);
+  }
+
+  /// The file behind the name, in a folder that exists. A device would be replaced by the renamed file, not written.
+  fs::path target() const {
+    std::error_code error;
+    if (file_.has_parent_path()) fs::create_directories(file_.parent_path(), error);
+    if (error) fail(error.message() + "; choose another --output");
+    const fs::file_status status = fs::status(file_, error);
+    if (!fs::exists(status)) return file_;
+    if (fs::is_directory(status)) fail("it is a folder; choose another --output");
+    if (!fs::is_regular_file(status)) fail("it is no regular file; choose another --output");
+    const fs::path resolved = fs::canonical(file_, error);
+    if (error) fail(error.message());
+    return resolved;
+  }
+
+  void remove() const {
+    std::error_code ignored;
+    if (!temporary_.empty()) fs::remove(temporary_, ignored);
+  }
+
+  const fs::path file_;
+  const fs::path target_;
+  fs::path temporary_;  ///< empty once it is published
+};
+
+}  // namespace
+
+void write_file(const fs::path& file, std::string_view bytes) { StagedFile(file, bytes).publish(); }
+
+void write_files(const std::vector<OutputFile>& files) {
+  std::deque<StagedFile> staged;
+  for (const auto& [file, bytes] : files) staged.emplace_back(file, bytes);
+  for (StagedFile& file : staged) file.publish();
 }
 
-void write_png(const fs::path& file, const cv::Mat& image) {
+std::string encode_png(const cv::Mat& image) {
   std::vector<unsigned char> bytes;
   // Filtered and lightly compressed: a label image costs a tenth of the default's time for a few more bytes.
   if (!cv::imencode(".png", image, bytes, {cv::IMWRITE_PNG_COMPRESSION, 1}))
-    throw OutputError(file.string() + ": the image cannot be encoded as PNG");
-  write_file(file, {reinterpret_cast<const char*>(bytes.data()), bytes.size()});
+    throw OutputError("the image cannot be encoded as PNG");
+  return {bytes.begin(), bytes.end()};
 }
+
+void write_png(const fs::path& file, const cv::Mat& image) { write_file(file, encode_png(image)); }
 
 }  // namespace gestalt

@@ -5,11 +5,9 @@
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
-#include <unistd.h>
 
 #include <nlohmann/json.hpp>
 
-#include "gestalt/error.h"
 #include "gestalt/output_file.h"
 
 namespace gestalt {
@@ -54,26 +52,22 @@ Json pairs_json(const RelationTable& table, const Graph& graph) {
   return pairs;
 }
 
-/// The original points with the label of the pixel that they are seen in.
-void write_point_labels(const std::filesystem::path& file, const Input& input, const cv::Mat_<std::uint16_t>& labels) {
+/// The original points with the label of the pixel that they are seen in, as a binary PCD file.
+std::string point_labels(const Input& input, const cv::Mat_<std::uint16_t>& labels) {
   pcl::PointCloud<pcl::PointXYZL> cloud;
+  cloud.resize(input.cloud.size());
   for (std::size_t i = 0; i < input.cloud.size(); ++i) {
-    pcl::PointXYZL point;
+    pcl::PointXYZL& point = cloud[i];
     point.x = input.cloud[i][0], point.y = input.cloud[i][1], point.z = input.cloud[i][2];
     const int pixel = input.point_pixels[i];
     point.label = pixel < 0 ? 0 : labels.ptr<std::uint16_t>()[pixel];
-    cloud.push_back(point);
   }
-  std::filesystem::path temporary = file;
-  temporary += ".tmp" + std::to_string(::getpid());
-  std::error_code error;
-  try {
-    pcl::PCDWriter().writeBinary(temporary.string(), cloud);
-    std::filesystem::rename(temporary, file);
-  } catch (const std::exception& failure) {
-    std::filesystem::remove(temporary, error);
-    throw OutputError(file.string() + ": cannot be written: " + failure.what());
+  std::string bytes = pcl::PCDWriter::generateHeader(cloud) + "DATA binary\n";
+  for (const pcl::PointXYZL& point : cloud) {
+    bytes.append(reinterpret_cast<const char*>(point.data), 3 * sizeof(float));
+    bytes.append(reinterpret_cast<const char*>(&point.label), sizeof point.label);
   }
+  return bytes;
 }
 
 }  // namespace
@@ -100,11 +94,16 @@ Json result_json(const Input& input, const Percept& percept, const Segmentation&
 
 void write_result(const std::filesystem::path& folder, const Input& input, const Percept& percept,
                   const Segmentation& segmentation, const LevelTimes& times, const Json& config) {
-  write_png(folder / "labels.png", segmentation.labels);
-  write_png(folder / "overlay.png", draw_segments(input.frame, segmentation.labels));
-  write_png(folder / "patches.png", draw_patches(percept.surfaces.labels));
-  if (!input.cloud.empty()) write_point_labels(folder / "labels.pcd", input, segmentation.labels);
-  write_file(folder / "result.json", result_json(input, percept, segmentation, times, config).dump(1) + "\n");
+  std::vector<OutputFile> files{{folder / "labels.png", encode_png(segmentation.labels)},
+                                {folder / "overlay.png", encode_png(draw_segments(input.frame, segmentation.labels))},
+                                {folder / "patches.png", encode_png(draw_patches(percept.surfaces.labels))}};
+  if (!input.cloud.empty()) files.push_back({folder / "labels.pcd", point_labels(input, segmentation.labels)});
+  // A scene's name comes from a path, which may be no UTF-8.
+  files.push_back(
+      {folder / "result.json",
+       result_json(input, percept, segmentation, times, config).dump(1, ' ', false, Json::error_handler_t::replace) +
+           "\n"});
+  write_files(files);
 }
 
 }  // namespace gestalt

@@ -3,7 +3,9 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <string_view>
+#include <vector>
 
 #include <opencv2/core.hpp>
 
@@ -12,10 +14,23 @@
 namespace gestalt {
 
 /// Writes bytes under a temporary name beside the file and renames it: readers see the old file, the new one, or none.
-/// Makes missing parent folders. Throws OutputError naming the file and the system's reason; leaves no temporary file.
+/// Makes missing parent folders; a symbolic link stays and its file is replaced. Throws OutputError naming the file and
+/// the system's reason, also where the name is taken by a folder or a device; leaves no temporary file.
 GESTALT_EXPORT void write_file(const std::filesystem::path& file, std::string_view bytes);
 
 /// Same, for an image as PNG.
 GESTALT_EXPORT void write_png(const std::filesystem::path& file, const cv::Mat& image);
+
+/// An image as the bytes of a PNG file. Throws OutputError.
+GESTALT_EXPORT std::string encode_png(const cv::Mat& image);
+
+/// A file to be, with its content.
+struct OutputFile {
+  std::filesystem::path file;
+  std::string bytes;
+};
+
+/// write_file for files that belong together: none gets its final name before all are written.
+GESTALT_EXPORT void write_files(const std::vector<OutputFile>& files);
 
 }  // namespace gestalt

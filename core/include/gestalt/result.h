@@ -26,7 +26,8 @@ GESTALT_EXPORT cv::Mat draw_segments(const Frame& frame, const cv::Mat_<std::uin
 GESTALT_EXPORT cv::Mat draw_patches(const cv::Mat_<int>& labels);
 
 /// Writes labels.png, overlay.png, patches.png and result.json, for unorganized clouds also labels.pcd (x y z label,
-/// the original points in their order; label 0 = in no segment), into a folder. Throws OutputError.
+/// the original points in their order; label 0 = in no segment), into a folder: all of them
+/// or, with OutputError, none.
 GESTALT_EXPORT void write_result(const std::filesystem::path& folder, const Input& input, const Percept& percept,
                                  const Segmentation& segmentation, const LevelTimes& times,
                                  const nlohmann::json& config);
