@@ -4,11 +4,16 @@
 
 #include <CLI/CLI.hpp>
 #include <functional>
+#include <string>
 
 namespace gestalt::app {
 
 /// What the chosen subcommand does; gives the exit code.
 using Run = std::function<int()>;
+
+/// For names of outputs: an empty one would silently mean the current folder.
+inline const CLI::Validator not_empty([](std::string& name) { return std::string(name.empty() ? "is empty" : ""); }, "",
+                                      "not_empty");
 
 enum Exit { success = 0, run_failed = 1, wrong_usage = 2, unusable_input = 3 };
 

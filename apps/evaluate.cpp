@@ -296,6 +296,7 @@ void add_evaluate(CLI::App& app, Run& run) {
       ->type_name("S");
   command.add_flag("--parts", options->parts, "Regions are the visible parts of objects, not whole objects");
   command.add_option("--output", options->output, "Also write DIR/<scene>/labels.png")
+      ->check(not_empty)
       ->excludes(predictions)
       ->type_name("DIR");
   command.add_flag("--json", options->json, "Print every value as a fraction, for programs");

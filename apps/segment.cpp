@@ -55,6 +55,7 @@ void add_segment(CLI::App& app, Run& run) {
       ->required()
       ->type_name("INPUT");
   command->add_option("--output", options->output, "Folder for the results, one folder for each scene")
+      ->check(not_empty)
       ->capture_default_str()
       ->type_name("DIR");
   command->add_option("--camera", options->camera, "Intrinsics to use instead of the scene's camera.yaml")

@@ -75,6 +75,7 @@ void add_synthesize(CLI::App& app, Run& run) {
           "--output", options->output,
           "Folder for <category>_<seed>_<index>/{rgb,depth,label}.png and camera.yaml; the categories go to a file of "
           "the folder's name with .csv beside it")
+      ->check(not_empty)
       ->type_name("DIR")
       ->required();
   command.add_option("--width", options->width, "Columns of the images")

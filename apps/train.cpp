@@ -75,7 +75,10 @@ void add_train(CLI::App& app, Run& run) {
   command->add_option("scenes", options->scenes, "Scene folders with label.png, or folders of those")
       ->required()
       ->type_name("SCENES");
-  command->add_option("--output", options->output, "Model file to write")->required()->type_name("MODEL");
+  command->add_option("--output", options->output, "Model file to write")
+      ->check(not_empty)
+      ->required()
+      ->type_name("MODEL");
   add_pipeline_options(*command, options->pipeline);
   command->footer(
       "Example: gestalt train scenes --output models/mine.json\n"
