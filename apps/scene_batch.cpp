@@ -46,15 +46,23 @@ int for_each_scene(const std::vector<std::filesystem::path>& scenes,
                    const std::function<void(const std::filesystem::path&)>& work) {
   const ProgressBar bar(scenes.size());
   std::size_t failed = 0;
+  const auto fail = [&](const std::string& message) {
+    bar.clear();
+    std::cerr << "gestalt: error: " << message << '\n';
+    ++failed;
+  };
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     bar.show(i, scenes[i].filename().string());
     try {
       work(scenes[i]);
     } catch (const Error& error) {
       if (scenes.size() == 1) throw;
-      bar.clear();
-      std::cerr << "gestalt: error: " << error.what() << '\n';
-      ++failed;
+      fail(error.what());
+    } catch (const std::exception& error) {
+      // Not one of ours, such as no memory: it does not name what was being read.
+      const std::string message = scenes[i].string() + ": " + error.what();
+      if (scenes.size() == 1) throw Error(message);
+      fail(message);
     }
   }
   bar.clear();
