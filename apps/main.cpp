@@ -1,14 +1,34 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <exception>
 #include <iostream>
+#include <string>
+#include <vector>
 
 #include "command.h"
 #include "gestalt/error.h"
 #include "gestalt/registry.h"
+#include "gestalt/suggest.h"
 
 namespace {
+
+/// What was printed is lost when standard output is a full disk or a closed pipe: then the run has failed.
+int printed(int code) {
+  if (std::cout.flush()) return code;
+  std::cerr << "gestalt: error: standard output cannot be written; check free space\n";
+  return code == gestalt::app::success ? gestalt::app::run_failed : code;
+}
+
+/// CLI11 would only say that a subcommand is required.
+void require_known(const CLI::App& app, const std::string& word) {
+  std::vector<std::string> names;
+  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
+  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
+  throw gestalt::ConfigError("there is no subcommand '" + word + "'" + gestalt::did_you_mean(word, names) +
+                             "; see gestalt --help");
+}
 
 int report(const std::exception& error, int code) {
   std::cerr << "gestalt: error: " << error.what() << '\n';
@@ -33,12 +53,15 @@ int main(int argc, char** argv) {
   add_config(app, run);
   add_info(app, run);
   try {
+    if (argc > 1) require_known(app, argv[1]);
     app.parse(argc, argv);
+  } catch (const gestalt::ConfigError& error) {
+    return report(error, wrong_usage);
   } catch (const CLI::ParseError& error) {
-    return app.exit(error) == 0 ? success : wrong_usage;
+    return printed(app.exit(error) == 0 ? success : wrong_usage);
   }
   try {
-    return run();
+    return printed(run());
   } catch (const gestalt::ConfigError& error) {
     return report(error, wrong_usage);
   } catch (const gestalt::PluginError& error) {
