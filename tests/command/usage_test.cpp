@@ -1,0 +1,184 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <nlohmann/json.hpp>
+#include <set>
+
+#include "run_gestalt.h"
+#include "scenes.h"
+
+namespace gestalt::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+TEST(Usage, HelpAndVersion) {
+  const Outcome version = run_gestalt({"--version"});
+  expect_success(version);
+  EXPECT_TRUE(version.out.starts_with("gestalt 0.")) << version.out;
+  for (const std::vector<std::string>& command : {std::vector<std::string>{},
+                                                  {"segment"},
+                                                  {"train"},
+                                                  {"evaluate"},
+                                                  {"synthesize"},
+                                                  {"plugins"},
+                                                  {"config"},
+                                                  {"info"},
+                                                  {"plugins", "list"},
+                                                  {"plugins", "describe"},
+                                                  {"config", "check"},
+                                                  {"config", "print"}}) {
+    auto arguments = command;
+    arguments.push_back("--help");
+    const Outcome outcome = run_gestalt(arguments);
+    expect_success(outcome);
+    EXPECT_GT(occurrences("Usage: gestalt", outcome.out), 0) << outcome.out;
+  }
+}
+
+TEST(Usage, WrongUsageIsNamedAndHasExitCode2) {
+  struct Wrong {
+    std::vector<std::string> arguments;
+    std::string word;
+  };
+  const std::string scene = synthetic_scene();
+  for (const auto& [arguments, word] :
+       {Wrong{{}, "subcommand is required"},
+        Wrong{{"segmnt", scene}, "did you mean 'segment'?"},
+        Wrong{{"plugins"}, "subcommand is required"},
+        Wrong{{"config"}, "subcommand is required"},
+        Wrong{{"segment"}, "inputs"},
+        Wrong{{"segment", scene, "--outptu", "x"}, "--outptu"},
+        Wrong{{"segment", scene, "--output"}, "--output"},
+        Wrong{{"segment", scene, "--output", ""}, "--output"},
+        Wrong{{"segment", scene, "--threads", "-1"}, "--threads"},
+        Wrong{{"segment", scene, "--threads", "many"}, "--threads"},
+        Wrong{{"segment", scene, "--set", "structural.minimum_size"}, "--set"},
+        Wrong{{"train"}, "scenes"},
+        Wrong{{"train", scene}, "--output"},
+        Wrong{{"train", scene, "--output", ""}, "--output"},
+        Wrong{{"evaluate"}, "scenes"},
+        Wrong{{"evaluate", scene, "--cross-validate", "1"}, "--cross-validate"},
+        Wrong{{"evaluate", scene, "--cross-validate", "2", "--predictions", "x"}, "--predictions"},
+        Wrong{{"evaluate", scene, "--seed", "1"}, "--cross-validate"},
+        Wrong{{"synthesize", "--category", "boxes"}, "--output"},
+        Wrong{{"synthesize", "--category", "boxes", "--output", ""}, "--output"},
+        Wrong{{"synthesize", "--category", "nothing", "--output", "unused"}, "nothing"},
+        Wrong{{"synthesize", "--category", "boxes", "--output", "unused", "--width", "0"}, "--width"},
+        Wrong{{"plugins", "describe"}, "component"},
+        Wrong{{"plugins", "describe", "gabro"}, "did you mean 'gabor'?"},
+        Wrong{{"plugins", "describe", "relatoin", "gabor"}, "did you mean 'relation'?"},
+        Wrong{{"info"}, "FILE"}}) {
+    const Outcome outcome = run_gestalt(arguments);
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_EQ(outcome.out, "");
+    EXPECT_GT(occurrences(word, outcome.err), 0) << word << "\nnot in\n" << outcome.err;
+  }
+  EXPECT_FALSE(fs::exists("unused"));
+}
+
+TEST(Plugins, ListNamesEveryComponentOfTheDefaultConfig) {
+  const Outcome text = run_gestalt({"plugins", "list"}), outcome = run_gestalt({"plugins", "list", "--json"});
+  expect_success(text);
+  expect_success(outcome);
+  const json list = json::parse(outcome.out);
+  EXPECT_TRUE(list.at("rejected").empty()) << list.at("rejected");
+  std::set<std::string> found;
+  for (const json& component : list.at("components")) {
+    EXPECT_TRUE(fs::exists(component.at("library").get<std::string>()));
+    EXPECT_FALSE(component.at("description").get<std::string>().empty());
+    found.insert(component.at("kind").get<std::string>() + " " + component.at("name").get<std::string>());
+    EXPECT_GT(occurrences(component.at("name"), text.out), 0) << text.out;
+  }
+  for (const char* name : {"clusterer normals", "fitter plane", "relation gabor", "relation relative_size",
+                           "classifier svm", "classifier random_forest", "solver graph_cut", "solver threshold"})
+    EXPECT_TRUE(found.contains(name)) << name;
+}
+
+TEST(Plugins, DescribeTellsParametersAndValues) {
+  const Outcome outcome = run_gestalt({"plugins", "describe", "relation", "gabor", "--json"});
+  expect_success(outcome);
+  const json described = json::parse(outcome.out);
+  EXPECT_EQ(described.at("needs_colour"), true);
+  EXPECT_EQ(described.at("values").at(0).at("name"), "r_ga");
+  ASSERT_FALSE(described.at("parameters").empty());
+  const Outcome text = run_gestalt({"plugins", "describe", "gabor"});
+  expect_success(text);
+  for (const json& parameter : described.at("parameters")) {
+    EXPECT_EQ(parameter.at("range").size(), 2u);
+    EXPECT_GT(occurrences(parameter.at("name"), text.out), 0) << text.out;
+  }
+}
+
+TEST(Configs, WhatIsPrintedReadsBackToTheSame) {
+  const TemporaryFolder folder;
+  const Outcome printed =
+      run_gestalt({"config", "print", "--set", "structural.minimum_size=77", "--set", "structural.relations.gabor=off",
+                   "--set", "structural.classifier=random_forest"});
+  expect_success(printed);
+  const fs::path file = folder.write("printed.yaml", printed.out);
+  const Outcome check = run_gestalt({"config", "check", file});
+  expect_success(check);
+  EXPECT_GT(occurrences("valid", check.out), 0) << check.out;
+  const Outcome first = run_gestalt({"config", "print", "--json", "--set", "structural.minimum_size=77", "--set",
+                                     "structural.relations.gabor=off", "--set", "structural.classifier=random_forest"});
+  const Outcome second = run_gestalt({"config", "print", file, "--json"});
+  expect_success(second);
+  const json values = json::parse(first.out).at("values");
+  EXPECT_EQ(values, json::parse(second.out).at("values"));
+  EXPECT_EQ(values.at("structural").at("minimum_size"), 77);
+}
+
+TEST(Configs, TheDefaultIsFoundFromAnyFolder) {
+  const TemporaryFolder folder;
+  const Outcome outcome = run_gestalt({"config", "check"}, {.folder = folder.path()});
+  expect_success(outcome);
+  EXPECT_GT(occurrences("paper.yaml: valid", outcome.out), 0) << outcome.out;
+}
+
+TEST(Configs, CheckTellsEveryErrorAtOnce) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("wrong.yaml",
+                                     "schema_version: 1\n"
+                                     "signal: {clusterer: normals}\n"
+                                     "primitive: {fitters: [plane]}\n"
+                                     "structural:\n"
+                                     "  relations: [gabro, relative_size]\n"
+                                     "  classifier: svm\n"
+                                     "  minimum_size: 0\n"
+                                     "  minimum_sise: 30\n"
+                                     "decision: {solver: graph_cut}\n");
+  const Outcome outcome = run_gestalt({"config", "check", file});
+  expect_refused(outcome, 2,
+                 {"wrong.yaml:5:15: ", "did you mean 'gabor'?", "wrong.yaml:7:17: ", "[1, 1000000]",
+                  "wrong.yaml:8:3: ", "did you mean 'minimum_size'?"});
+}
+
+TEST(Info, SaysWhatAFileIs) {
+  const TemporaryFolder folder;
+  expect_success(run_gestalt({"segment", synthetic_scene(), "--output", folder.path()}));
+  const fs::path cloud = folder.write("view.pcd", pcd(points_of(synthetic_scene()), 320, 240));
+  const fs::path config = folder.write("config.yaml", run_gestalt({"config", "print"}).out);
+  struct File {
+    fs::path path;
+    std::string kind;
+  };
+  for (const auto& [path, kind] :
+       {File{synthetic_scene(), "scene folder"}, File{synthetic_scenes(), "folder of scenes"},
+        File{cloud, "organized cloud"}, File{synthetic_scenes() / "camera.yaml", "camera file"}, File{config, "config"},
+        File{folder.path() / "mixed_objects_1_000" / "result.json", "result of gestalt segment"}}) {
+    const Outcome text = run_gestalt({"info", path}), outcome = run_gestalt({"info", path, "--json"});
+    expect_success(text);
+    expect_success(outcome);
+    EXPECT_EQ(json::parse(outcome.out).at("kind"), kind);
+    EXPECT_TRUE(text.out.starts_with("kind: " + kind + "\n")) << text.out;
+  }
+  expect_refused(run_gestalt({"info", folder.path() / "nothing"}), 3, {"nothing", "does not exist"});
+  expect_refused(run_gestalt({"info", synthetic_scene() / "depth.png"}), 3, {"depth.png", "folder"});
+}
+
+}  // namespace
+}  // namespace gestalt::test
