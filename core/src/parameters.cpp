@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <charconv>
 #include <cmath>
+#include <cstdint>
 #include <sstream>
 
 #include "gestalt/suggest.h"
@@ -120,7 +121,12 @@ std::string range_text(const Parameter& d) {
     return text;
   }
   if (d.type == Parameter::Type::boolean || (std::isinf(d.minimum) && std::isinf(d.maximum))) return "";
-  return "[" + number_text(d.minimum) + ", " + number_text(d.maximum) + "]";
+  // The bounds of an integer are written out: 1000000, not 1e+06.
+  const auto bound = [&](double value) {
+    const bool whole = d.type == Parameter::Type::integer && std::abs(value) < 1e15;
+    return whole ? std::to_string(std::int64_t(value)) : number_text(value);
+  };
+  return "[" + bound(d.minimum) + ", " + bound(d.maximum) + "]";
 }
 
 ParameterValues complete(const std::vector<Parameter>& declarations, const ParameterValues& given) {

@@ -322,10 +322,11 @@ TEST_F(ConfigTest, WhatYamlAllowsAndAConfigDoesNotIsAnError) {
   EXPECT_EQ(error("[a, b]: c").at(0), "extended.yaml:3:1: a key has to be plain text, got a list");
   EXPECT_EQ(error("---\na: 1"),
             Lines{"extended.yaml:3:1: a second document begins here; a config file is one document"});
-  EXPECT_EQ(error("structural: {minimum_size: 0x20}"),
-            Lines{"extended.yaml:3:28: structural.minimum_size: expected an integer in [1, 1e+06] pixels, got '0x20'"});
+  EXPECT_EQ(
+      error("structural: {minimum_size: 0x20}"),
+      Lines{"extended.yaml:3:28: structural.minimum_size: expected an integer in [1, 1000000] pixels, got '0x20'"});
   EXPECT_EQ(error("structural:\n  minimum_size:\n\n\ndecision: {}"),
-            Lines{"extended.yaml:4:3: structural.minimum_size: expected an integer in [1, 1e+06] pixels, got ''"});
+            Lines{"extended.yaml:4:3: structural.minimum_size: expected an integer in [1, 1000000] pixels, got ''"});
 }
 
 TEST_F(ConfigTest, WrongListsOfComponentsAreErrors) {
