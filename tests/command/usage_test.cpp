@@ -113,6 +113,16 @@ TEST(Plugins, DescribeTellsParametersAndValues) {
   }
 }
 
+TEST(Plugins, ARejectedLibraryIsListedAndHindersNobody) {
+  const fs::path library = fs::path(BROKEN_PLUGINS) / "old_interface" / "old_interface.so";
+  const Surroundings path{.variables = {"GESTALT_PLUGIN_PATH=" + library.parent_path().string()}};
+  const Outcome list = run_gestalt({"plugins", "list"}, path);
+  expect_success(list);
+  EXPECT_EQ(occurrences(library.string() + ": ", list.out), 1) << list.out;
+  EXPECT_GT(occurrences("interface 0", list.out), 0) << list.out;
+  expect_success(run_gestalt({"config", "check"}, path));
+}
+
 TEST(Configs, WhatIsPrintedReadsBackToTheSame) {
   const TemporaryFolder folder;
   const Outcome printed =
