@@ -30,6 +30,7 @@ void add_options(CLI::App& command, PipelineOptions& options) {
 
 int check(const Options& options) {
   const LoadedConfig loaded = load_config(options.pipeline);
+  const Pipeline pipeline(loaded.config, loaded.registry);  // what only shows when the components are made
   const std::filesystem::path file = options.pipeline.config.empty() ? default_config() : options.pipeline.config;
   std::cout << file.string() << ": valid, " << loaded.config.relations.size() << " relations, relation values "
             << config_hash(loaded.config) << '\n';

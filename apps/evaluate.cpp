@@ -120,9 +120,9 @@ class Evaluation {
       if (failed(i)) return;
       try {
         work(i);
-      } catch (const InputError&) {
-        failures_[i] = std::current_exception();
-      } catch (const PluginError&) {
+      } catch (const OutputError&) {
+        throw;
+      } catch (const std::exception&) {
         failures_[i] = std::current_exception();
       }
     });
@@ -188,7 +188,7 @@ std::string config_name(const Options& options) {
 int score_model(const Options& options) {
   const LoadedConfig loaded = load_config(options.pipeline);
   const Pipeline pipeline(loaded.config, loaded.registry);
-  const Model model = pipeline.load_model();
+  const Model model = load_model(pipeline);
   Evaluation evaluation(options);
   evaluation.for_each_scene([&](std::size_t i) {
     const Input input = read_scene(evaluation.scenes[i]);

@@ -110,6 +110,8 @@ Description describe_model(const nlohmann::json& model) {
   return {{"kind", "model"},
           {"classifier", model.at("classifier")},
           {"values", model.at("names")},
+          {"training_minima", model.at("scaling").at("low")},
+          {"training_maxima", model.at("scaling").at("high")},
           {"positive_pairs", training.at("positive_pairs")},
           {"negative_pairs", training.at("negative_pairs")},
           {"training_scenes", training.at("scenes")},
@@ -151,7 +153,7 @@ Description describe_yaml(const fs::path& file) {
     Description description{{"kind", "config"}, {"keys", sections}};
     for (const char* key : {"schema_version", "extends"})
       if (content[key] && content[key].IsScalar()) description[key] = content[key].Scalar();
-    description["more"] = "gestalt config print --config " + file.string();
+    description["more"] = "gestalt config print " + file.string();
     return description;
   }
   const CameraFile camera = read_camera(file);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <csignal>
 #include <exception>
 #include <iostream>
 #include <string>
@@ -38,6 +39,7 @@ int report(const std::exception& error, int code) {
 }  // namespace
 
 int main(int argc, char** argv) {
+  std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is a failed write, not a sudden death
   using namespace gestalt::app;
   CLI::App app{"Segments unknown objects in RGB-D frames of cluttered scenes by learned perceptual grouping",
                "gestalt"};

@@ -3,6 +3,7 @@
 
 #include "pipeline_options.h"
 
+#include <iostream>
 #include <opencv2/core/utility.hpp>
 
 namespace gestalt::app {
@@ -16,7 +17,7 @@ void add_pipeline_options(CLI::App& command, PipelineOptions& options) {
       ->type_name("PATH=VALUE")
       ->expected(1)
       ->take_all();
-  command.add_option("--threads", options.threads, "Threads to use; the result is the same for any number")
+  command.add_option("--threads", options.threads, "Threads to use, 0 for all; the result is the same for any number")
       ->check(CLI::Range(0, 1024));
 }
 
@@ -27,10 +28,20 @@ LoadedConfig load_config(const PipelineOptions& options) {
   return {std::move(tree), std::move(registry), std::move(config)};
 }
 
-ThreadLimit::ThreadLimit(int threads) {
+Model load_model(const Pipeline& pipeline) {
+  Model model = pipeline.load_model();
+  if (model.config_hash != config_hash(pipeline.config()))
+    std::cerr << "gestalt: warning: " << pipeline.config().model.string()
+              << " was trained with other parameters of the levels below the classifier; retrain it for this config\n";
+  return model;
+}
+
+ThreadLimit::ThreadLimit(int threads) : opencv_threads_(cv::getNumThreads()) {
   if (threads == 0) return;
   limit_.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
   cv::setNumThreads(threads);
 }
+
+ThreadLimit::~ThreadLimit() { cv::setNumThreads(opencv_threads_); }
 
 }  // namespace gestalt::app

@@ -35,13 +35,20 @@ struct LoadedConfig {
 
 LoadedConfig load_config(const PipelineOptions& options);
 
+/// The pipeline's model. Warns on stderr when it was trained with other parameters of the levels below the classifier.
+Model load_model(const Pipeline& pipeline);
+
 /// Bounds the threads of oneTBB and OpenCV while it lives. 0: no bound.
 class ThreadLimit {
  public:
   explicit ThreadLimit(int threads);
+  ~ThreadLimit();
+  ThreadLimit(const ThreadLimit&) = delete;
+  ThreadLimit& operator=(const ThreadLimit&) = delete;
 
  private:
   std::optional<tbb::global_control> limit_;
+  int opencv_threads_;  ///< before
 };
 
 }  // namespace gestalt::app

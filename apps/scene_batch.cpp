@@ -43,7 +43,7 @@ class ProgressBar {
 }  // namespace
 
 int for_each_scene(const std::vector<std::filesystem::path>& scenes,
-                   const std::function<void(const std::filesystem::path&)>& work) {
+                   const std::function<std::string(const std::filesystem::path&)>& work) {
   const ProgressBar bar(scenes.size());
   std::size_t failed = 0;
   const auto fail = [&](const std::string& message) {
@@ -54,7 +54,9 @@ int for_each_scene(const std::vector<std::filesystem::path>& scenes,
   for (std::size_t i = 0; i < scenes.size(); ++i) {
     bar.show(i, scenes[i].filename().string());
     try {
-      work(scenes[i]);
+      const std::string line = work(scenes[i]);
+      bar.clear();
+      std::cout << line << std::endl;
     } catch (const Error& error) {
       if (scenes.size() == 1) throw;
       fail(error.what());

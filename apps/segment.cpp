@@ -2,9 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <iomanip>
-#include <iostream>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <sstream>
 
 #include "command.h"
 #include "gestalt/input.h"
@@ -29,7 +29,7 @@ int segment(const Options& options) {
   const LoadedConfig loaded = load_config(options.pipeline);
   const nlohmann::json config = loaded.tree.to_json(loaded.registry);
   const Pipeline pipeline(loaded.config, loaded.registry);
-  const Model model = pipeline.load_model();
+  const Model model = load_model(pipeline);
   std::optional<CameraFile> camera;
   if (!options.camera.empty()) camera = read_camera(options.camera);
 
@@ -40,9 +40,11 @@ int segment(const Options& options) {
     const Segmentation segmentation = pipeline.decide(percept, model, &times);
     const std::filesystem::path folder = options.output / input.frame.name;
     write_result(folder, input, percept, segmentation, times, config);
-    std::cout << folder.string() << ": " << segmentation.segments.size() << " segments of "
-              << percept.surfaces.surfaces.size() << " patches, " << std::fixed << std::setprecision(0) << times.total()
-              << " ms" << std::endl;
+    std::ostringstream line;
+    line << folder.string() << ": " << segmentation.segments.size() << " segments of "
+         << percept.surfaces.surfaces.size() << " patches, " << std::fixed << std::setprecision(0) << times.total()
+         << " ms";
+    return line.str();
   });
 }
 

@@ -1,7 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <tbb/global_control.h>
 #include <tbb/parallel_for.h>
 
 #include <filesystem>
@@ -13,6 +12,7 @@
 
 #include "command.h"
 #include "gestalt/synthesis.h"
+#include "pipeline_options.h"
 
 namespace gestalt::app {
 
@@ -35,6 +35,7 @@ std::filesystem::path categories_file(const std::filesystem::path& folder) {
 }
 
 int synthesize_scenes(const SynthesizeOptions& options) {
+  const ThreadLimit thread_limit(options.threads);
   const Category category = category_of(options.category);
   const Camera camera = kinect_camera(options.width, options.height);
   const std::filesystem::path folder = std::filesystem::absolute(options.output).lexically_normal();
@@ -43,9 +44,6 @@ int synthesize_scenes(const SynthesizeOptions& options) {
   write_camera(camera, folder);
 
   std::vector<std::string> names(std::size_t(options.count));
-  const auto limit = tbb::global_control::max_allowed_parallelism;
-  const tbb::global_control threads(
-      limit, options.threads > 0 ? std::size_t(options.threads) : tbb::global_control::active_value(limit));
   tbb::parallel_for(0, options.count, [&](int index) {
     const SyntheticScene scene = index == 0 ? first : synthesize(category, options.seed, index, camera);
     write_scene(scene, folder);

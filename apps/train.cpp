@@ -26,7 +26,8 @@ struct Options {
 Samples pairs_of(const Pipeline& pipeline, const std::filesystem::path& scene) {
   const Input input = read_scene(scene);
   if (input.ground_truth.empty())
-    throw InputError(scene.string() + ": has no ground truth; training needs label.png in every scene");
+    throw InputError(scene.string() +
+                     ": has no ground truth; training needs a label.png, or a cloud with labels, for every scene");
   Samples samples;
   append_pairs(pipeline.perceive(input.frame), input.ground_truth, samples);
   return samples;

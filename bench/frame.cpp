@@ -10,9 +10,11 @@
 #include <CLI/CLI.hpp>
 #include <algorithm>
 #include <chrono>
+#include <functional>
 #include <iomanip>
 #include <iostream>
 #include <map>
+#include <opencv2/core/utility.hpp>
 
 #include "gestalt/config.h"
 #include "gestalt/input.h"
@@ -32,30 +34,29 @@ double peak_megabytes() {
   return double(usage.ru_maxrss) / 1024;
 }
 
-std::vector<gestalt::Frame> frames_of(const std::vector<std::filesystem::path>& scenes) {
-  std::vector<gestalt::Frame> frames;
-  if (scenes.empty()) {
-    for (int i = 0; i < 10; ++i)
-      frames.push_back(gestalt::synthesize(gestalt::Category::complex_scene, 1, i, gestalt::kinect_camera()).frame);
-    return frames;
-  }
-  for (const auto& scene : gestalt::find_scenes(scenes)) frames.push_back(gestalt::read_scene(scene).frame);
-  return frames;
+/// One frame at a time, so that the peak is that of a frame.
+void for_each_frame(const std::vector<std::filesystem::path>& scenes,
+                    const std::function<void(const gestalt::Frame&)>& work) {
+  if (scenes.empty())
+    for (int i = 0; i < 10; ++i) work(gestalt::synthesize(gestalt::Category::complex_scene, 1, i).frame);
+  else
+    for (const auto& scene : gestalt::find_scenes(scenes)) work(gestalt::read_scene(scene).frame);
 }
 
 }  // namespace
 
-int main(int argc, char** argv) {
+int main(int argc, char** argv) try {
   CLI::App app{"Times whole frames, by level"};
   std::vector<std::filesystem::path> scenes;
   int threads = 2, repeats = 3;
   app.add_option("scenes", scenes, "Scene folders (default: ten synthetic complex scenes)");
-  app.add_option("--threads", threads, "Threads")->capture_default_str();
-  app.add_option("--repeats", repeats, "Runs over all frames")->capture_default_str();
+  app.add_option("--threads", threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
+  app.add_option("--repeats", repeats, "Runs of each frame")->check(CLI::Range(1, 1000))->capture_default_str();
   CLI11_PARSE(app, argc, argv);
 
   using Clock = std::chrono::steady_clock;
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
+  cv::setNumThreads(threads);
   const auto start = Clock::now();
   const gestalt::ConfigTree tree(gestalt::default_config(), {});
   const gestalt::Registry registry(gestalt::plugin_search_path(tree.plugin_directories()));
@@ -65,7 +66,7 @@ int main(int argc, char** argv) {
 
   std::map<std::string, std::vector<double>> times;
   std::size_t count = 0;
-  for (const gestalt::Frame& frame : frames_of(scenes)) {
+  for_each_frame(scenes, [&](const gestalt::Frame& frame) {
     ++count;
     for (int run = 0; run < repeats; ++run) {
       const gestalt::Percept percept = pipeline.perceive(frame);
@@ -77,7 +78,7 @@ int main(int argc, char** argv) {
       times["4 decision"].push_back(t.decision);
       times["5 whole frame"].push_back(t.total());
     }
-  }
+  });
   std::cout << count << " frames, " << repeats << " runs each, " << threads << " threads; milliseconds\n"
             << std::left << std::setw(16) << "level" << std::right << std::setw(9) << "median" << std::setw(9) << "p95"
             << std::setw(9) << "worst" << '\n'
@@ -85,6 +86,9 @@ int main(int argc, char** argv) {
   for (const auto& [level, values] : times)
     std::cout << std::left << std::setw(16) << level.substr(2) << std::right << std::setw(9) << quantile(values, 0.5)
               << std::setw(9) << quantile(values, 0.95) << std::setw(9) << quantile(values, 1) << '\n';
-  std::cout << "config, plugins and model loaded in " << start_up << " ms; peak memory " << peak_megabytes()
-            << " MB with all frames held\n";
+  std::cout << "config, plugins and model loaded in " << start_up << " ms; peak memory " << peak_megabytes() << " MB\n";
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << "bench_frame: error: " << error.what() << '\n';
+  return 1;
 }

@@ -25,7 +25,7 @@ const Parameters<Normals::Params>& Normals::parameters() {
                 "largest distance of a pixel to its patch's plane, at z = 0")
           .real("distance_per_metre", static_cast<double P::*>(&P::distance_per_metre), -10, 10, "",
                 "growth of that distance with depth")
-          .integer("min_patch_size", static_cast<int P::*>(&P::min_patch_size), 1, 1000000, "px",
+          .integer("min_patch_size", static_cast<int P::*>(&P::min_patch_size), 1, 1000, "px",
                    "smaller patches are dissolved; their pixels are clustered by connectivity")
           .integer("spur_radius", static_cast<int P::*>(&P::spur_radius), 0, 50, "px",
                    "strips thinner than twice this and a pixel are given to the patches beside them")

@@ -64,6 +64,17 @@ TEST(Normals, SinksASpeckIntoThePatchAroundIt) {
   EXPECT_EQ(label_at(map, 130, 130), 1);
 }
 
+TEST(Normals, LeavesNoPatchSmallerThanAnIslandWhereSpecksTouch) {
+  // A noisy strip of small steps beside a plane: specks beside specks.
+  std::vector<test::PlanarPatch> patches{{{100, 100, 60, 60}, {0, 0, 1}, {0, 0, -1}}};
+  for (int i = 0; i < 12; ++i)
+    patches.push_back({{120 + 2 * i, 120, 2, 2}, {0, 0, 1 - 0.015f * float(1 + i % 3)}, {0, 0, -1}});
+  const PatchMap map = Normals({}).cluster(test::render(patches).frame);
+  std::vector<int> sizes(std::size_t(map.count) + 1, 0);
+  for (int p = 0; p < int(map.labels.total()); ++p) ++sizes[std::size_t(map.labels.ptr<int>()[p])];
+  for (const int size : sizes) EXPECT_GE(size, 30);
+}
+
 TEST(Normals, LabelsEveryValidPixelAndLeavesNoGap) {
   const auto scene = test::rectangle_before_wall();
   const PatchMap map = Normals({}).cluster(scene.frame);

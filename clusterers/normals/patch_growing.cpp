@@ -143,6 +143,10 @@ class Growing {
     std::vector<std::vector<int>> islands(std::size_t(count_ - first_island + 1));
     for (int p = 0; p < int(labels_.total()); ++p)
       if (label(p) >= first_island) islands[std::size_t(label(p) - first_island)].push_back(p);
+    const auto sinks = [&](int island_label) {
+      return island_label >= first_island &&
+             int(islands[std::size_t(island_label - first_island)].size()) < params_.smallest_island;
+    };
     for (const std::vector<int>& island : islands) {
       if (int(island.size()) >= params_.smallest_island) continue;
       int nearest = 0;
@@ -150,7 +154,7 @@ class Growing {
       for (const int p : island)
         for_neighbours_4(p, [&](int q) {
           const float d = std::abs(depth(p) - depth(q));
-          if (label(q) == 0 || label(q) == label(p) || d > gap) return;
+          if (label(q) == 0 || sinks(label(q)) || d > gap) return;
           gap = d;
           nearest = label(q);
         });
@@ -225,7 +229,8 @@ class Growing {
         for_neighbours_4(front_[i], [&](int q) {
           if (label(q) != 0 || !(normals_.curvature.ptr<float>()[q] < 1)) return;
           const Eigen::Vector3f p = frame_.point(q), n = normal(q);
-          const float cosine = std::cos(std::min(float(params_.angle + params_.angle_per_metre * p.z()), 3.14159265f));
+          const float cosine =
+              std::cos(std::clamp(float(params_.angle + params_.angle_per_metre * p.z()), 0.f, 3.14159265f));
           if (n.dot(plane.normal) < cosine || plane.distance(p) > omega(p.z())) return;
           label(q) = own;
           plane.add(p, n);

@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
-#include <numeric>
 
 #include "gestalt/error.h"
 
@@ -42,7 +41,7 @@ Segmentation assemble(const SurfaceSet& surfaces, Graph graph, const std::vector
                    [](const Segment& x, const Segment& y) { return x.pixel_count > y.pixel_count; });
   if (segments.size() > std::numeric_limits<std::uint16_t>::max())
     throw Error("the frame falls into " + std::to_string(segments.size()) +
-                " segments, a 16-bit label image holds 65535; raise min_patch_size of the clusterer");
+                " segments, a 16-bit label image holds 65535; set the clusterer's parameters for larger patches");
 
   Segmentation result{cv::Mat_<std::uint16_t>(surfaces.labels.size(), std::uint16_t{0}), std::move(segments),
                       std::move(graph)};
@@ -64,7 +63,7 @@ Pipeline::Pipeline(Config config, const Registry& registry)
   for (const ComponentConfig& fitter : config_.fitters)
     fitters_.push_back(registry.create<Fitter>(fitter.plugin, fitter.params));
   for (const ComponentConfig& relation : config_.relations)
-    relations_.push_back({relation.name, registry.create<Relation>(relation.plugin, relation.params)});
+    relations_.push_back({relation.name, registry.create<Relation>(relation.plugin, relation.params), relation.plugin});
   value_names_ = gestalt::value_names(relations_);
 }
 

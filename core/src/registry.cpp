@@ -48,7 +48,7 @@ std::string mismatch(const gestalt_manifest* manifest) {
   return "";
 }
 
-fs::path core_library() { return boost::dll::this_line_location().string(); }
+fs::path core_library() { return fs::weakly_canonical(boost::dll::this_line_location().string()); }
 
 }  // namespace
 

@@ -7,7 +7,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numeric>
 
 #include "gestalt/error.h"
 
@@ -30,10 +29,11 @@ std::vector<std::string> value_names(const std::vector<NamedRelation>& relations
   std::vector<std::string> names;
   for (const NamedRelation& named : relations)
     for (const RelationValue& value : named.relation->values()) {
-      if (std::find(names.begin(), names.end(), value.name) != names.end())
-        throw ConfigError("structural.relations: two relations give the value " + value.name + ", the second is '" +
+      const std::string name = named.name == named.plugin ? value.name : value.name + "." + named.name;
+      if (std::find(names.begin(), names.end(), name) != names.end())
+        throw ConfigError("structural.relations: two relations give the value " + name + ", the second is '" +
                           named.name + "'; take one of them out");
-      names.push_back(value.name);
+      names.push_back(name);
     }
   return names;
 }

@@ -8,7 +8,6 @@
 #include <algorithm>
 #include <cmath>
 #include <map>
-#include <numeric>
 #include <set>
 
 #include "gestalt/error.h"
@@ -56,7 +55,7 @@ class SurfaceModeller {
     }
     if (!patch.model)
       throw PluginError("primitive level: no fitter could model a patch of " + std::to_string(patch.points.size()) +
-                        " points; put 'plane' first in primitive.fitters");
+                        " points; put a fitter that takes any patch first in primitive.fitters");
   }
 
   /// The best single surface for two patches. gain > 0 when it is a better description than the two (Eq. 8). A_m is the

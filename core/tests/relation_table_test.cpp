@@ -78,6 +78,12 @@ TEST(RelationTable, RefusesTwoValuesOfOneName) {
   EXPECT_THROW(value_names({numbered("x"), numbered("x")}), ConfigError);
 }
 
+TEST(RelationTable, TellsTwoUsesOfOnePluginApart) {
+  NamedRelation coarse = numbered("x");
+  coarse.name = "coarse";
+  EXPECT_EQ(value_names({numbered("x"), coarse}), (std::vector<std::string>{"r_x", "r_x.coarse"}));
+}
+
 TEST(LearningSet, LabelsPairsByTheMajorityObject) {
   Percept percept;
   const auto known = test::render({{{0, 0, 10, 10}, {0, 0, 1}, {0, 0, -1}},

@@ -42,7 +42,7 @@ class BorderCurvatureMeasure final : public Measure {
       squares += curvature * curvature;
       count += 1;
     }
-    values[0] = sum / count;
+    values[0] = std::clamp(sum / count, -std::numbers::pi, std::numbers::pi);
     values[1] = std::max(0.0, squares / count - values[0] * values[0]);
   }
 

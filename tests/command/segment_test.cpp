@@ -113,8 +113,15 @@ TEST_F(Segment, SegmentsAreMadeOfThePatchesAndPairsOfTheResult) {
   }
 }
 
+TEST_F(Segment, WarnsOfAModelTrainedWithOtherParameters) {
+  const Outcome outcome = segment({synthetic_scene(), "--set", "structural.minimum_size=40"});
+  EXPECT_EQ(outcome.code, 0);
+  EXPECT_EQ(occurrences("warning", outcome.err), 1) << outcome.err;
+  EXPECT_EQ(occurrences("paper.json", outcome.err), 1) << outcome.err;
+}
+
 TEST_F(Segment, TheResultTellsHowItWasMade) {
-  expect_success(segment({synthetic_scene(), "--set", "structural.minimum_size=40"}));
+  expect_success(segment({synthetic_scene(), "--set", "decision.solver.params.k=0.4"}));
   const json result = json::parse(content(out / "mixed_objects_1_000" / "result.json"));
   const Camera camera = read_camera(synthetic_scenes() / "camera.yaml").camera;
   EXPECT_EQ(result.at("scene"), "mixed_objects_1_000");
@@ -130,9 +137,9 @@ TEST_F(Segment, TheResultTellsHowItWasMade) {
     sum += result.at("milliseconds").at(level).get<double>();
   }
   EXPECT_NEAR(result.at("milliseconds").at("total"), sum, 1e-6);
-  EXPECT_EQ(result.at("config").at("values").at("structural").at("minimum_size"), 40);
+  EXPECT_EQ(result.at("config").at("values").at("decision").at("solver").at("params").at("k"), 0.4);
   const json& provenance = result.at("config").at("provenance");
-  EXPECT_EQ(provenance.at("structural.minimum_size"), "--set");
+  EXPECT_EQ(provenance.at("decision.solver.params.k"), "--set");
   EXPECT_GT(occurrences("paper.yaml:", provenance.at("decision.solver.plugin")), 0) << provenance.dump(1);
   EXPECT_FALSE(result.at("gestalt").get<std::string>().empty());
   EXPECT_FALSE(result.at("build").get<std::string>().empty());

@@ -13,7 +13,8 @@
 
 namespace gestalt {
 
-/// Training pairs: relation values, already scaled, and whether the two patches belong to one object.
+/// Training pairs: relation values (raw; scaled where a Classifier gets them) and whether the two patches belong to one
+/// object.
 struct Samples {
   std::size_t columns = 0;
   std::vector<double> values;          ///< row-major, columns * positive.size()

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <map>
 #include <memory>
 #include <string>
 #include <vector>
@@ -53,7 +52,8 @@ class GESTALT_EXPORT Pipeline {
   /// Signal, primitive and structural level. Throws InputError when a relation needs colour and the frame has none.
   Percept perceive(const Frame& frame) const;
 
-  /// Classification of the pairs and the global decision.
+  /// Classification of the pairs and the global decision. model must be for value_names(), as load_model() ensures. The
+  /// time spent is added to times.
   Segmentation decide(const Percept& percept, const Model& model, LevelTimes* times = nullptr) const;
 
  private:

@@ -28,9 +28,11 @@ struct RelationTable {
 struct NamedRelation {
   std::string name;
   std::shared_ptr<const Relation> relation;
+  std::string plugin = name;  ///< its plugin's name, where the config gives the component another
 };
 
-/// Value names of the relations, in order. Throws ConfigError when two give a value of the same name.
+/// Value names of the relations, in order: "r_ga", and "r_ga.coarse" of a relation that the config names coarse. Throws
+/// ConfigError when two give a value of the same name.
 GESTALT_EXPORT std::vector<std::string> value_names(const std::vector<NamedRelation>& relations);
 
 /// Structural level: the values of all relations for all pairs of 3D neighbours of which both have at least
