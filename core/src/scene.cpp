@@ -33,4 +33,9 @@ const cv::Mat& Scene::yuv() const {
   return yuv_;
 }
 
+const std::vector<std::vector<Contour>>& Scene::contours() const {
+  std::call_once(contours_once_, [this] { contours_ = find_contours(surfaces_); });
+  return contours_;
+}
+
 }  // namespace gestalt

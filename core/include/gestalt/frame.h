@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <string>
 
+#include "gestalt/depth_noise.h"
 #include "gestalt/export.h"
 
 namespace gestalt {
@@ -27,6 +28,7 @@ struct Frame {
   cv::Mat_<float> depth;       ///< metres along the optical axis; 0 = no measurement, never NaN or negative
   cv::Mat_<cv::Vec3f> points;  ///< metres, camera frame; (0, 0, 0) where depth is 0
   Camera camera;
+  DepthNoise noise;  ///< of depth; the config's sensor, set by the pipeline
 
   int width() const { return depth.cols; }
   int height() const { return depth.rows; }

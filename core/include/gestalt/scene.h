@@ -5,13 +5,14 @@
 #include <mutex>
 #include <opencv2/core.hpp>
 
+#include "gestalt/contour.h"
 #include "gestalt/frame.h"
 #include "gestalt/patch_map.h"
 #include "gestalt/surface_set.h"
 
 namespace gestalt {
 
-/// What a relation sees of a frame: the results of the levels below, and images derived from them that several
+/// What a relation sees of a frame: the results of the levels below, and what is derived from them that several
 /// relations share. Each derived image is made once, by whoever asks first; asking is thread-safe.
 /// Keeps references: frame, patches and surfaces must outlive it.
 class GESTALT_EXPORT Scene {
@@ -30,12 +31,16 @@ class GESTALT_EXPORT Scene {
   /// CV_8UC3 in the order Y, U, V. Throws InputError when the frame has no colour.
   const cv::Mat& yuv() const;
 
+  /// The contours of every surface, by its index.
+  const std::vector<std::vector<Contour>>& contours() const;
+
  private:
   const Frame& frame_;
   const PatchMap& patches_;
   const SurfaceSet& surfaces_;
-  mutable std::once_flag grey_once_, yuv_once_;
+  mutable std::once_flag grey_once_, yuv_once_, contours_once_;
   mutable cv::Mat grey_, yuv_;
+  mutable std::vector<std::vector<Contour>> contours_;
 };
 
 }  // namespace gestalt
