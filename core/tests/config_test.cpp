@@ -210,7 +210,7 @@ TEST_F(ConfigTest, AChainMergesFromItsEnd) {
   const fs::path file =
       write("sub/top.yaml", "schema_version: 1\nextends: ../middle.yaml\nstructural: {minimum_size: 50}\n");
   EXPECT_EQ(resolve(file).structural.minimum_size, 50);
-  EXPECT_EQ(resolve(file).classifier.plugin, "tree");
+  EXPECT_EQ(resolve(file).structural.classifier.plugin, "tree");
 }
 
 TEST_F(ConfigTest, PluginDirectoriesAreRelativeToTheirFile) {
