@@ -133,16 +133,17 @@ class FigureGround {
     Cloud cloud;
     cloud.pixels = double(surface.pixels.size());
     const std::size_t step = (surface.pixels.size() + samples_of_a_surface - 1) / samples_of_a_surface;
-    for (std::size_t i = 0; i < surface.pixels.size(); i += step) cloud.points.push_back(frame_.point(surface.pixels[i]));
+    for (std::size_t i = 0; i < surface.pixels.size(); i += step)
+      cloud.points.push_back(frame_.point(surface.pixels[i]));
     return cloud;
   }
 
   double tolerance(const Eigen::Vector3f& p) const { return params_.tolerance * frame_.noise.at(double(p.z())); }
 
   bool lies_in(const Cloud& cloud, const Plane& plane) const {
-    const auto near =
-        std::count_if(cloud.points.begin(), cloud.points.end(),
-                      [&](const Eigen::Vector3f& p) { return std::abs(plane.distance(p)) < tolerance(p); });
+    const auto near = std::count_if(cloud.points.begin(), cloud.points.end(), [&](const Eigen::Vector3f& p) {
+      return std::abs(plane.distance(p)) < tolerance(p);
+    });
     return double(near) >= most * double(cloud.points.size());
   }
 
@@ -325,13 +326,14 @@ class FigureGround {
 
 }  // namespace
 
-std::string_view to_string(Role role) { return role == Role::object ? "object" : "background"; }
+std::string_view name_of(Role role) { return role == Role::object ? "object" : "background"; }
 
 const Parameters<FigureGroundParams>& FigureGroundParams::parameters() {
   using P = FigureGroundParams;
   static const auto parameters =
       Parameters<P>()
-          .real("tolerance", &P::tolerance, 0, 100, "sigma", "points nearer to a plane than this times sigma(z) lie in it")
+          .real("tolerance", &P::tolerance, 0, 100, "sigma",
+                "points nearer to a plane than this times sigma(z) lie in it")
           .real("margin", &P::margin, 0, 10, "", "what is this share of a support's diameter outside its hull is on it")
           .real("relative_area", &P::relative_area, 0, 1, "",
                 "walls, and tables that touch the ground, have at least this share of its area")

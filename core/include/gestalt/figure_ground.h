@@ -16,13 +16,13 @@ namespace gestalt {
 enum class Role { object, background };
 
 /// "object" or "background".
-GESTALT_EXPORT std::string_view to_string(Role role);
+GESTALT_EXPORT std::string_view name_of(Role role);
 
 /// Settings of find_roles(). Nothing is in pixels, and nothing assumes a pose of the camera.
 struct FigureGroundParams {
-  double tolerance = 4;             ///< sigma(z) of the sensor; points nearer to a plane than this lie in it
-  double margin = 0.1;              ///< of a support's diameter; what stands this far outside its hull stands on it
-  double relative_area = 0.25;      ///< of the ground's area; a smaller plane is no wall, and no table in contact with it
+  double tolerance = 4;         ///< sigma(z) of the sensor; points nearer to a plane than this lie in it
+  double margin = 0.1;          ///< of a support's diameter; what stands this far outside its hull stands on it
+  double relative_area = 0.25;  ///< of the ground's area; a smaller plane is no wall, and no table in contact with it
   double smallest_support = 0.05;   ///< m^2; a smaller plane is no table, even when nothing connects it to the ground
   double largest_remainder = 0.02;  ///< of the frame's points; fewer than this beyond a plane are noise
 
@@ -31,7 +31,8 @@ struct FigureGroundParams {
 
 /// Role of every surface. Background are supports - planes that things are in front of - and what lies beyond:
 /// behind a support, or over none. The rest are objects. Supports are
-/// * the ground: of all planes the one with the largest share of the frame's points in it, or in front of it and over its
+/// * the ground: of all planes the one with the largest share of the frame's points in it, or in front of it and over
+/// its
 ///   hull, less those behind it;
 /// * walls, floors: planes of relative_area with nothing behind them;
 /// * tables in front of the ground that things touch and stand on: of relative_area, or of smallest_support when no
