@@ -51,6 +51,7 @@ int main(int argc, char** argv) {
   add_train(app, run);
   add_evaluate(app, run);
   add_synthesize(app, run);
+  add_convert(app, run);
   add_plugins(app, run);
   add_config(app, run);
   add_info(app, run);

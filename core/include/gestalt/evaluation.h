@@ -57,11 +57,14 @@ struct GESTALT_EXPORT PooledPixels {
 
   double precision() const;  ///< 1 without any segment
   double recall() const;     ///< 1 without any region
+
+  PooledPixels& operator+=(const PooledPixels& other);
 };
 
 /// One scene's score.
 struct ImageScore {
   PooledPixels pooled;
+  std::vector<PooledPixels> each;  ///< the counts of every region alone, by ascending label (paper, Fig. 5)
   std::int64_t regions = 0;
   std::int64_t segments = 0;
   std::array<OverlapBoundary, background_rule_names.size()> overlap_boundary;  ///< by BackgroundRule
