@@ -32,8 +32,14 @@ int check(const Options& options) {
   const LoadedConfig loaded = load_config(options.pipeline);
   const Pipeline pipeline(loaded.config, loaded.registry);  // what only shows when the components are made
   const std::filesystem::path file = options.pipeline.config.empty() ? default_config() : options.pipeline.config;
-  std::cout << file.string() << ": valid, " << loaded.config.relations.size() << " relations, relation values "
-            << config_hash(loaded.config) << '\n';
+  const auto tell = [&](Level level, const LevelConfig& config) {
+    std::cout << ", " << config.relations.size() << ' ' << name_of(level) << " relations, values "
+              << config_hash(loaded.config, level);
+  };
+  std::cout << file.string() << ": valid";
+  tell(Level::structural, loaded.config.structural);
+  if (loaded.config.with_assembly) tell(Level::assembly, *loaded.config.assembly);
+  std::cout << '\n';
   return success;
 }
 

@@ -9,11 +9,13 @@
 #include <exception>
 #include <filesystem>
 #include <iostream>
+#include <map>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <optional>
 
 #include "command.h"
+#include "gestalt/cross_validation.h"
 #include "gestalt/error.h"
 #include "gestalt/input.h"
 #include "gestalt/learning_set.h"
@@ -32,7 +34,8 @@ struct Options {
   PipelineOptions pipeline;
   int folds = 0;  ///< 0: no cross-validation
   std::uint64_t seed = 0;
-  fs::path predictions;  ///< empty: run the pipeline
+  std::vector<fs::path> additional;  ///< scenes that every fold also learns from
+  fs::path predictions;              ///< empty: run the pipeline
   std::string image = "labels.png";
   bool parts = false;
   fs::path output;  ///< empty: write no label images
@@ -134,7 +137,7 @@ class Evaluation {
   }
 
   /// Prints errors and scores. Throws the first error when no scene could be scored.
-  int report(const std::string& method, const std::optional<PairDecisions>& pairs = std::nullopt) const {
+  int report(const std::string& method, const std::map<std::string, PairDecisions>& pairs = {}) const {
     std::vector<ImageScore> scored;
     std::vector<std::string> their_categories;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
@@ -147,12 +150,12 @@ class Evaluation {
     const std::vector<ScoreRow> rows = summarise(scored, their_categories);
     if (options_.json) {
       nlohmann::ordered_json json = to_json(rows);
-      if (pairs) json["held_out_pairs"] = to_json(*pairs);
+      for (const auto& [level, decisions] : pairs) json["held_out_pairs"][level] = to_json(decisions);
       std::cout << json.dump(1) << '\n';
     } else {
       const std::string all = scored.size() < scenes.size() ? " of " + std::to_string(scenes.size()) : "";
       std::cout << method << ", " << scored.size() << all << " images\n" << format_tables(rows, options_.regions());
-      if (pairs) std::cout << format_pairs(*pairs);
+      for (const auto& [level, decisions] : pairs) std::cout << format_pairs(decisions, level);
     }
     return scored.size() == scenes.size() ? success : run_failed;
   }
@@ -188,37 +191,25 @@ std::string config_name(const Options& options) {
 int score_model(const Options& options) {
   const LoadedConfig loaded = load_config(options.pipeline);
   const Pipeline pipeline(loaded.config, loaded.registry);
-  const Model model = load_model(pipeline);
+  const Models models = load_models(pipeline);
   Evaluation evaluation(options);
   evaluation.for_each_scene([&](std::size_t i) {
     const Input input = read_scene(evaluation.scenes[i]);
     const Labels ground_truth = ground_truth_of(input);
-    evaluation.score(i, ground_truth, pipeline.decide(pipeline.perceive(input.frame), model).labels);
+    evaluation.score(i, ground_truth, pipeline.decide(pipeline.perceive(input.frame), models).labels);
   });
   return evaluation.report(config_name(options));
 }
 
-/// What is kept of a scene while the models are trained.
-struct Perceived {
-  Percept percept;
-  Labels ground_truth;
-  Samples samples;
-};
+LearningScene learning_scene(const Pipeline& pipeline, const fs::path& scene) {
+  const Input input = read_scene(scene);
+  return make_learning_scene(pipeline, input.frame, ground_truth_of(input));
+}
 
-/// The model of the scenes of all other folds.
-Model train_without_fold(int held_out, const std::vector<int>& fold, const Evaluation& evaluation,
-                         const std::vector<Perceived>& perceived, const Pipeline& pipeline) {
-  Samples samples{pipeline.value_names().size(), {}, {}};
-  TrainingData training;
-  for (std::size_t i = 0; i < fold.size(); ++i) {
-    if (fold[i] == held_out || evaluation.failed(i)) continue;
-    const Samples& of_scene = perceived[i].samples;
-    samples.values.insert(samples.values.end(), of_scene.values.begin(), of_scene.values.end());
-    samples.positive.insert(samples.positive.end(), of_scene.positive.begin(), of_scene.positive.end());
-    training.scenes.push_back(scene_name(evaluation.scenes[i]));
-  }
-  return train_model(pipeline.classifier(), pipeline.config().classifier.plugin, pipeline.value_names(), samples,
-                     std::move(training), config_hash(pipeline.config()));
+std::vector<const LearningScene*> pointers(const std::vector<LearningScene>& scenes) {
+  std::vector<const LearningScene*> all;
+  for (const LearningScene& scene : scenes) all.push_back(&scene);
+  return all;
 }
 
 int cross_validate(const Options& options) {
@@ -226,33 +217,29 @@ int cross_validate(const Options& options) {
   const Pipeline pipeline(loaded.config, loaded.registry);
   Evaluation evaluation(options);
   const std::vector<int> fold = deal_folds(evaluation.categories, options.folds, options.seed);
+  // As in training, a scene to learn from that cannot be used ends the run.
+  const std::vector<fs::path> additional_scenes =
+      options.additional.empty() ? std::vector<fs::path>{} : find_scenes(options.additional);
+  std::vector<LearningScene> additional(additional_scenes.size());
+  tbb::parallel_for(std::size_t(0), additional.size(),
+                    [&](std::size_t i) { additional[i] = learning_scene(pipeline, additional_scenes[i]); });
 
-  std::vector<Perceived> perceived(evaluation.scenes.size());
-  evaluation.for_each_scene([&](std::size_t i) {
-    const Input input = read_scene(evaluation.scenes[i]);
-    auto& [percept, ground_truth, samples] = perceived[i];
-    ground_truth = ground_truth_of(input);
-    percept = pipeline.perceive(input.frame);
-    append_pairs(percept, ground_truth, samples);
-    // Most of a percept's memory, and nothing that a decision looks at.
-    percept.patches = {};
-    percept.surfaces.adjacencies.clear();
-  });
+  std::vector<LearningScene> perceived(evaluation.scenes.size());
+  evaluation.for_each_scene([&](std::size_t i) { perceived[i] = learning_scene(pipeline, evaluation.scenes[i]); });
+  std::vector<const LearningScene*> usable = pointers(perceived);
+  for (std::size_t i = 0; i < usable.size(); ++i)
+    if (evaluation.failed(i)) usable[i] = nullptr;
+  const std::vector<Models> models = learn_folds(pipeline, usable, fold, options.folds, pointers(additional));
 
-  std::vector<Model> models;
-  for (int held_out = 0; held_out < options.folds; ++held_out)
-    models.push_back(train_without_fold(held_out, fold, evaluation, perceived, pipeline));
-
-  PairDecisions pairs;
-  for (std::size_t i = 0; i < perceived.size(); ++i) {
-    const Samples& held_out = perceived[i].samples;
-    for (std::size_t row = 0; row < held_out.rows(); ++row)
-      pairs.count(held_out.positive[row], models[std::size_t(fold[i])].probability(held_out.row(row)) >= 0.5);
-  }
+  LevelDecisions decisions;
+  for (std::size_t i = 0; i < perceived.size(); ++i)
+    if (usable[i]) count_pairs(pipeline, perceived[i], models[std::size_t(fold[i])], decisions);
+  std::map<std::string, PairDecisions> pairs{{name_of(Level::structural), decisions.structural}};
+  if (loaded.config.with_assembly) pairs[name_of(Level::assembly)] = decisions.assembly;
 
   evaluation.for_each_scene([&](std::size_t i) {
-    const auto& [percept, ground_truth, samples] = perceived[i];
-    evaluation.score(i, ground_truth, pipeline.decide(percept, models[std::size_t(fold[i])]).labels);
+    const Labels ground_truth = read_ground_truth(evaluation.scenes[i]);
+    evaluation.score(i, ground_truth, pipeline.decide(perceived[i].percept, models[std::size_t(fold[i])]).labels);
   });
   return evaluation.report(config_name(options) + ", " + std::to_string(options.folds) + "-fold cross-validation",
                            pairs);
@@ -294,6 +281,11 @@ void add_evaluate(CLI::App& app, Run& run) {
   command.add_option("--seed", options->seed, "Deal the scenes to the folds in this random order; 0: in natural order")
       ->needs(folds)
       ->type_name("S");
+  command
+      .add_option("--also-train", options->additional,
+                  "Scenes that every fold's model also learns from, such as synthetic ones; they are not scored")
+      ->needs(folds)
+      ->type_name("SCENES");
   command.add_flag("--parts", options->parts, "Regions are the visible parts of objects, not whole objects");
   command.add_option("--output", options->output, "Also write DIR/<scene>/labels.png")
       ->check(not_empty)

@@ -106,16 +106,19 @@ Description describe_cloud(const fs::path& file, const std::optional<CameraFile>
 }
 
 Description describe_model(const nlohmann::json& model) {
-  const nlohmann::json& training = model.at("training");
-  return {{"kind", "model"},
-          {"classifier", model.at("classifier")},
-          {"values", model.at("names")},
-          {"training_minima", model.at("scaling").at("low")},
-          {"training_maxima", model.at("scaling").at("high")},
-          {"positive_pairs", training.at("positive_pairs")},
-          {"negative_pairs", training.at("negative_pairs")},
-          {"training_scenes", training.at("scenes")},
-          {"config_hash", model.at("config_hash")}};
+  Description description{{"kind", "model"}};
+  for (const auto& [name, level] : model.at("levels").items()) {
+    const nlohmann::json& training = level.at("training");
+    description[name] = {{"classifier", level.at("classifier")},
+                         {"values", level.at("names")},
+                         {"training_minima", level.at("scaling").at("low")},
+                         {"training_maxima", level.at("scaling").at("high")},
+                         {"positive_pairs", training.at("positive_pairs")},
+                         {"negative_pairs", training.at("negative_pairs")},
+                         {"training_scenes", training.at("scenes")},
+                         {"config_hash", level.at("config_hash")}};
+  }
+  return description;
 }
 
 Description describe_result(const nlohmann::json& result) {

@@ -28,12 +28,15 @@ LoadedConfig load_config(const PipelineOptions& options) {
   return {std::move(tree), std::move(registry), std::move(config)};
 }
 
-Model load_model(const Pipeline& pipeline) {
-  Model model = pipeline.load_model();
-  if (model.config_hash != config_hash(pipeline.config()))
+Models load_models(const Pipeline& pipeline) {
+  Models models = pipeline.load_models();
+  const auto differs = [&](Level level, const Model& model) {
+    return model.config_hash != config_hash(pipeline.config(), level);
+  };
+  if (differs(Level::structural, models.structural) || (models.assembly && differs(Level::assembly, *models.assembly)))
     std::cerr << "gestalt: warning: " << pipeline.config().model.string()
               << " was trained with other parameters of the levels below the classifier; retrain it for this config\n";
-  return model;
+  return models;
 }
 
 ThreadLimit::ThreadLimit(int threads) : opencv_threads_(cv::getNumThreads()) {

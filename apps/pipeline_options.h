@@ -35,8 +35,9 @@ struct LoadedConfig {
 
 LoadedConfig load_config(const PipelineOptions& options);
 
-/// The pipeline's model. Warns on stderr when it was trained with other parameters of the levels below the classifier.
-Model load_model(const Pipeline& pipeline);
+/// The pipeline's models. Warns on stderr when one was trained with other parameters of the levels below the
+/// classifier.
+Models load_models(const Pipeline& pipeline);
 
 /// Bounds the threads of oneTBB and OpenCV while it lives. 0: no bound.
 class ThreadLimit {

@@ -29,7 +29,7 @@ int segment(const Options& options) {
   const LoadedConfig loaded = load_config(options.pipeline);
   const nlohmann::json config = loaded.tree.to_json(loaded.registry);
   const Pipeline pipeline(loaded.config, loaded.registry);
-  const Model model = load_model(pipeline);
+  const Models models = load_models(pipeline);
   std::optional<CameraFile> camera;
   if (!options.camera.empty()) camera = read_camera(options.camera);
 
@@ -37,7 +37,7 @@ int segment(const Options& options) {
     const Input input = read_scene(scene, camera);
     const Percept percept = pipeline.perceive(input.frame);
     LevelTimes times = percept.times;
-    const Segmentation segmentation = pipeline.decide(percept, model, &times);
+    const Segmentation segmentation = pipeline.decide(percept, models, &times);
     const std::filesystem::path folder = options.output / input.frame.name;
     write_result(folder, input, percept, segmentation, times, config);
     std::ostringstream line;

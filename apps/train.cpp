@@ -22,19 +22,16 @@ struct Options {
   PipelineOptions pipeline;
 };
 
-/// Labelled pairs of one scene.
-Samples pairs_of(const Pipeline& pipeline, const std::filesystem::path& scene) {
+LearningScene perceive(const Pipeline& pipeline, const std::filesystem::path& scene) {
   const Input input = read_scene(scene);
   if (input.ground_truth.empty())
     throw InputError(scene.string() +
                      ": has no ground truth; training needs a label.png, or a cloud with labels, for every scene");
-  Samples samples;
-  append_pairs(pipeline.perceive(input.frame), input.ground_truth, samples);
-  return samples;
+  return make_learning_scene(pipeline, input.frame, input.ground_truth);
 }
 
-void print_model(const Model& model, const std::filesystem::path& file) {
-  std::cout << file.string() << ": " << model.classifier << " trained on " << model.training.scenes.size()
+void print_model(const Model& model, Level level) {
+  std::cout << name_of(level) << " level: " << model.classifier << " trained on " << model.training.scenes.size()
             << " scenes, " << model.training.positive_pairs << " positive and " << model.training.negative_pairs
             << " negative pairs\n"
             << "value      scaled from\n";
@@ -50,21 +47,17 @@ int train(const Options& options) {
   const Pipeline pipeline(loaded.config, loaded.registry);
 
   // A scene that cannot be used ends the training: a model must not silently lack what it was asked to learn.
-  std::vector<Samples> by_scene(scenes.size());
-  tbb::parallel_for(std::size_t{0}, scenes.size(), [&](std::size_t i) { by_scene[i] = pairs_of(pipeline, scenes[i]); });
+  std::vector<LearningScene> perceived(scenes.size());
+  tbb::parallel_for(std::size_t{0}, scenes.size(),
+                    [&](std::size_t i) { perceived[i] = perceive(pipeline, scenes[i]); });
 
-  Samples samples;
-  TrainingData data;
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    samples.columns = pipeline.value_names().size();
-    samples.values.insert(samples.values.end(), by_scene[i].values.begin(), by_scene[i].values.end());
-    samples.positive.insert(samples.positive.end(), by_scene[i].positive.begin(), by_scene[i].positive.end());
-    data.scenes.push_back(scene_name(scenes[i]));
-  }
-  const Model model = train_model(pipeline.classifier(), loaded.config.classifier.plugin, pipeline.value_names(),
-                                  samples, data, config_hash(loaded.config));
-  write_model(options.output, model);
-  print_model(model, options.output);
+  std::vector<const LearningScene*> all;
+  for (const LearningScene& scene : perceived) all.push_back(&scene);
+  const Models models = learn(pipeline, all);
+  write_models(options.output, models);
+  std::cout << options.output.string() << '\n';
+  print_model(models.structural, Level::structural);
+  if (models.assembly) print_model(*models.assembly, Level::assembly);
   return success;
 }
 
@@ -83,7 +76,7 @@ void add_train(CLI::App& app, Run& run) {
   add_pipeline_options(*command, options->pipeline);
   command->footer(
       "Example: gestalt train scenes --output models/mine.json\n"
-      "Use it:  gestalt segment INPUT --set structural.model=models/mine.json");
+      "Use it:  gestalt segment INPUT --set model=models/mine.json");
   command->callback([options, &run] { run = [options] { return train(*options); }; });
 }
 

@@ -61,7 +61,7 @@ int main(int argc, char** argv) try {
   const gestalt::ConfigTree tree(gestalt::default_config(), {});
   const gestalt::Registry registry(gestalt::plugin_search_path(tree.plugin_directories()));
   const gestalt::Pipeline pipeline(tree.resolve(registry), registry);
-  const gestalt::Model model = pipeline.load_model();
+  const gestalt::Models models = pipeline.load_models();
   const double start_up = std::chrono::duration<double, std::milli>(Clock::now() - start).count();
 
   std::map<std::string, std::vector<double>> times;
@@ -71,12 +71,13 @@ int main(int argc, char** argv) try {
     for (int run = 0; run < repeats; ++run) {
       const gestalt::Percept percept = pipeline.perceive(frame);
       gestalt::LevelTimes t = percept.times;
-      pipeline.decide(percept, model, &t);
+      pipeline.decide(percept, models, &t);
       times["1 signal"].push_back(t.signal);
       times["2 primitive"].push_back(t.primitive);
       times["3 structural"].push_back(t.structural);
-      times["4 decision"].push_back(t.decision);
-      times["5 whole frame"].push_back(t.total());
+      times["4 assembly"].push_back(t.assembly);
+      times["5 decision"].push_back(t.decision);
+      times["6 whole frame"].push_back(t.total());
     }
   });
   std::cout << count << " frames, " << repeats << " runs each, " << threads << " threads; milliseconds\n"

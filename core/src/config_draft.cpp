@@ -41,16 +41,23 @@ class Layer {
         {{"schema_version", left_alone},
          {"extends", left_alone},
          {"plugin_directories", [this](const Node& n, const std::string& p) { read_directories(n, p); }},
+         value("levels", draft_.levels),
+         value("model", draft_.model),
+         settings("sensor", draft_.sensor),
          section("signal", {component("clusterer", draft_.clusterer)}),
          section("primitive", {list("fitters", draft_.fitters), settings("model_selection", draft_.model_selection)}),
-         section("structural", {list("relations", draft_.relations), component("classifier", draft_.classifier),
-                                value("model", draft_.model), value("minimum_size", draft_.minimum_size)}),
+         level("structural", draft_.structural),
+         level("assembly", draft_.assembly),
          section("decision", {component("solver", draft_.solver)})});
   }
 
  private:
   Key section(const char* name, std::vector<Key> keys) {
     return {name, [this, keys](const Node& n, const std::string& p) { read_mapping(n, p, keys); }};
+  }
+  Key level(const char* name, LevelDraft& into) {
+    return section(name, {list("relations", into.relations), component("classifier", into.classifier),
+                          value("minimum_size", into.minimum_size)});
   }
   Key component(const char* name, ComponentDraft& into) {
     return {name, [this, &into](const Node& n, const std::string& p) { read_component(into, n, p); }};

@@ -35,19 +35,28 @@ struct DirectoryDraft {
   Place place;
 };
 
+struct LevelDraft {
+  ComponentListDraft relations;
+  ComponentDraft classifier;
+  std::optional<Node> minimum_size;
+
+  bool named() const { return relations.place || classifier.plugin || minimum_size; }
+};
+
 /// A config in which layer after layer is merged: the extended files, the file itself, each override.
 struct Draft {
   Place start;  ///< of the file itself: where a missing value is reported
   Problems problems;
 
   std::vector<DirectoryDraft> plugin_directories;
+  std::optional<Node> levels;
+  std::optional<Node> model;
+  Settings sensor;
   ComponentDraft clusterer;
   ComponentListDraft fitters;
   Settings model_selection;
-  ComponentListDraft relations;
-  ComponentDraft classifier;
-  std::optional<Node> model;
-  std::optional<Node> minimum_size;
+  LevelDraft structural;
+  LevelDraft assembly;
   ComponentDraft solver;
 };
 

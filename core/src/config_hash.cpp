@@ -4,6 +4,7 @@
 #include <cstdint>
 
 #include "gestalt/config.h"
+#include "gestalt/error.h"
 
 namespace gestalt {
 
@@ -27,12 +28,15 @@ std::uint64_t fnv1a(const std::string& text) {
 
 }  // namespace
 
-std::string config_hash(const Config& config) {
+std::string config_hash(const Config& config, Level level) {
+  if (level == Level::assembly && !config.assembly)
+    throw ConfigError("the config has no section assembly; add it, or set levels: structural");
+  const LevelConfig& own = level == Level::structural ? config.structural : *config.assembly;
   std::string text = canonical("clusterer", config.clusterer);
   for (const ComponentConfig& fitter : config.fitters) text += canonical("fitter", fitter);
   text += "model_selection\n" + canonical(config.surface_modelling);
-  for (const ComponentConfig& relation : config.relations) text += canonical("relation", relation);
-  text += "minimum_size " + std::to_string(config.minimum_size) + "\n";
+  for (const ComponentConfig& relation : own.relations) text += canonical("relation", relation);
+  text += "minimum_size " + std::to_string(own.minimum_size) + "\n";
 
   constexpr char digits[] = "0123456789abcdef";
   const std::uint64_t hash = fnv1a(text);

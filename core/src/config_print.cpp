@@ -24,6 +24,8 @@ std::string word(const std::string& text) {
   return plain ? text : quoted(text);
 }
 
+std::string levels(const Config& config) { return config.with_assembly ? "structural+assembly" : "structural"; }
+
 json parameter_values(const ParameterValues& values) {
   json object = json::object();
   for (const auto& [name, value] : values) std::visit([&, &key = name](const auto& v) { object[key] = v; }, value);
@@ -38,16 +40,16 @@ class Yaml {
     const Config& config = resolution_.config;
     text_ = "schema_version: 1\n";
     write_directories();
+    write_value(0, "levels", "levels", levels(config));
+    write_value(0, "model", "model", config.model.empty() ? "none" : quoted(config.model.string()));
+    write_values(0, "sensor", "sensor", config.sensor);
     section(0, "signal");
     write_component(1, "clusterer", "signal.clusterer", config.clusterer);
     section(0, "primitive");
     write_list(1, "fitters", "primitive.fitters", config.fitters, resolution_.removed_fitters);
     write_values(1, "model_selection", "primitive.model_selection", config.surface_modelling);
-    section(0, "structural");
-    write_list(1, "relations", "structural.relations", config.relations, resolution_.removed_relations);
-    write_component(1, "classifier", "structural.classifier", config.classifier);
-    write_value(1, "model", "structural.model", config.model.empty() ? "none" : quoted(config.model.string()));
-    write_value(1, "minimum_size", "structural.minimum_size", std::to_string(config.minimum_size));
+    write_level(Level::structural, config.structural);
+    if (config.assembly) write_level(Level::assembly, *config.assembly);
     section(0, "decision");
     write_component(1, "solver", "decision.solver", config.solver);
     return std::move(text_);
@@ -79,6 +81,16 @@ class Yaml {
       const auto* text = std::get_if<std::string>(&value);
       write_value(level + 1, name, join(path, name), text ? word(*text) : to_string(value));
     }
+  }
+
+  void write_level(Level level, const LevelConfig& config) {
+    const std::string path = name_of(level);
+    section(0, path);
+    const auto removed = resolution_.removed_relations.find(level);
+    write_list(1, "relations", path + ".relations", config.relations,
+               removed == resolution_.removed_relations.end() ? std::vector<std::string>{} : removed->second);
+    write_component(1, "classifier", path + ".classifier", config.classifier);
+    write_value(1, "minimum_size", path + ".minimum_size", std::to_string(config.minimum_size));
   }
 
   void write_component(int level, const std::string& key, const std::string& path, const ComponentConfig& component) {
@@ -114,6 +126,12 @@ json list_values(const std::vector<ComponentConfig>& components) {
   return list;
 }
 
+json level_values(const LevelConfig& level) {
+  return {{"relations", list_values(level.relations)},
+          {"classifier", component_values(level.classifier)},
+          {"minimum_size", level.minimum_size}};
+}
+
 }  // namespace
 
 std::string to_yaml(const Resolution& resolution) { return Yaml(resolution).write(); }
@@ -122,18 +140,18 @@ json to_json(const Resolution& resolution) {
   const Config& config = resolution.config;
   json directories = json::array();
   for (const auto& directory : resolution.plugin_directories) directories.push_back(directory.string());
-  const json values{
+  json values{
       {"schema_version", 1},
+      {"levels", levels(config)},
+      {"model", config.model.empty() ? json() : json(config.model.string())},
+      {"sensor", parameter_values(config.sensor)},
       {"plugin_directories", directories},
       {"signal", {{"clusterer", component_values(config.clusterer)}}},
       {"primitive",
        {{"fitters", list_values(config.fitters)}, {"model_selection", parameter_values(config.surface_modelling)}}},
-      {"structural",
-       {{"relations", list_values(config.relations)},
-        {"classifier", component_values(config.classifier)},
-        {"model", config.model.empty() ? json() : json(config.model.string())},
-        {"minimum_size", config.minimum_size}}},
+      {"structural", level_values(config.structural)},
       {"decision", {{"solver", component_values(config.solver)}}}};
+  if (config.assembly) values["assembly"] = level_values(*config.assembly);
   return {{"values", values}, {"provenance", resolution.provenance}};
 }
 

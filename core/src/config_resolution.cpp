@@ -5,6 +5,7 @@
 
 #include <optional>
 
+#include "gestalt/depth_noise.h"
 #include "gestalt/suggest.h"
 #include "gestalt/surface_modelling.h"
 
@@ -14,16 +15,22 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const Parameter& minimum_size_declaration() {
-  static const Parameter declaration{"minimum_size",
-                                     Parameter::Type::integer,
-                                     std::int64_t{Config{}.minimum_size},
-                                     1,
-                                     1'000'000,
-                                     {},
-                                     "pixels",
-                                     "smallest patch whose relations are computed"};
-  return declaration;
+Parameter minimum_size_declaration(Level level) {
+  return {"minimum_size",
+          Parameter::Type::integer,
+          std::int64_t{level == Level::structural ? 30 : 300},
+          1,
+          1'000'000,
+          {},
+          "pixels",
+          "smallest patch whose relations are computed"};
+}
+
+constexpr const char* both_levels = "structural+assembly";
+
+Parameter levels_declaration() {
+  return {"levels", Parameter::Type::choice,    std::string("structural"), 0, 0, {"structural", both_levels},
+          "",       "levels that group patches"};
 }
 
 class Resolver {
@@ -37,15 +44,15 @@ class Resolver {
       note("plugin_directories[" + std::to_string(i) + "]", draft_.plugin_directories[i].place);
     }
     Config& config = result_.config;
+    config.with_assembly = std::get<std::string>(value(levels_declaration(), draft_.levels, "levels")) == both_levels;
+    config.model = model();
+    config.sensor = values(SensorParams::parameters().declarations(), draft_.sensor, "sensor");
     config.clusterer = single("clusterer", "signal.clusterer", draft_.clusterer);
     config.fitters = list("fitter", "primitive.fitters", draft_.fitters, result_.removed_fitters);
     config.surface_modelling = values(SurfaceModellingParams::parameters().declarations(), draft_.model_selection,
                                       "primitive.model_selection");
-    config.relations = list("relation", "structural.relations", draft_.relations, result_.removed_relations);
-    config.classifier = single("classifier", "structural.classifier", draft_.classifier);
-    config.model = model();
-    config.minimum_size =
-        int(std::get<std::int64_t>(value(minimum_size_declaration(), draft_.minimum_size, "structural.minimum_size")));
+    config.structural = level(Level::structural, draft_.structural);
+    if (config.with_assembly || draft_.assembly.named()) config.assembly = level(Level::assembly, draft_.assembly);
     config.solver = single("solver", "decision.solver", draft_.solver);
     problems_.throw_if_any(searched_);
     return std::move(result_);
@@ -53,6 +60,14 @@ class Resolver {
 
  private:
   void note(const std::string& path, const Place& place) { result_.provenance[path] = place.provenance(); }
+
+  LevelConfig level(Level level, const LevelDraft& draft) {
+    const std::string path = name_of(level);
+    return {list("relation", path + ".relations", draft.relations, result_.removed_relations[level]),
+            single("classifier", path + ".classifier", draft.classifier),
+            int(std::get<std::int64_t>(
+                value(minimum_size_declaration(level), draft.minimum_size, path + ".minimum_size")))};
+  }
 
   ComponentConfig single(const char* kind, const std::string& path, const ComponentDraft& draft) {
     if (!draft.plugin) {
@@ -138,7 +153,7 @@ class Resolver {
 
   /// Beside the file that names it, then among the installed models.
   fs::path model() {
-    const std::string path = "structural.model";
+    const std::string path = "model";
     if (!draft_.model) {
       result_.provenance[path] = "default";
       return {};

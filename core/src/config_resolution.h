@@ -18,7 +18,7 @@ struct Resolution {
   std::vector<std::filesystem::path> plugin_directories;
   std::map<std::string, std::string> provenance;  ///< by path: "paper.yaml:12", "--set" or "default"
   std::vector<std::string> removed_fitters;       ///< names of those that are off; their provenance is that of the name
-  std::vector<std::string> removed_relations;
+  std::map<Level, std::vector<std::string>> removed_relations;
 };
 
 /// Compares a draft with what the plugins declare and fills in defaults. Throws ConfigError with every problem of the

@@ -70,9 +70,22 @@ std::vector<int> deal_folds(const std::vector<std::string>& categories, int fold
   return fold;
 }
 
-void PairDecisions::count(bool positive, bool decided_positive) {
-  ++(positive ? (decided_positive ? true_positive : false_negative)
-              : (decided_positive ? false_positive : true_negative));
+void PairDecisions::count(bool positive, double probability) {
+  const bool decided_positive = probability >= 0.5;
+  ++(positive ? decided_positive ? true_positive : false_negative : decided_positive ? false_positive : true_negative);
+  Bin& bin = bins[std::min(bins.size() - 1, std::size_t(probability * double(bins.size())))];
+  ++bin.pairs;
+  bin.positive += positive;
+  bin.probability += probability;
+  squared_error += (probability - positive) * (probability - positive);
+}
+
+double PairDecisions::brier_score() const { return squared_error / double(pairs()); }
+
+double PairDecisions::calibration_error() const {
+  double sum = 0;
+  for (const Bin& bin : bins) sum += std::abs(bin.probability - double(bin.positive));
+  return sum / double(pairs());
 }
 
 double PairDecisions::balanced_error() const {

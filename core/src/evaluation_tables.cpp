@@ -170,21 +170,25 @@ nlohmann::ordered_json to_json(const std::vector<ScoreRow>& rows) {
   return json;
 }
 
-std::string format_pairs(const PairDecisions& pairs) {
-  return "\n(d) classifier on the pairs of held-out scenes\npositive" +
+std::string format_pairs(const PairDecisions& pairs, const std::string& level) {
+  return "\n(d) " + level + " level: classifier on the pairs of held-out scenes\npositive" +
          right_aligned(std::to_string(pairs.true_positive + pairs.false_negative)) + ", of them missed" +
          right_aligned(std::to_string(pairs.false_negative)) + "\nnegative" +
          right_aligned(std::to_string(pairs.true_negative + pairs.false_positive)) + ", of them joined" +
          right_aligned(std::to_string(pairs.false_positive)) + "\nbalanced error [%]" +
-         right_aligned(decimal(100 * pairs.balanced_error(), 2)) + "\n";
+         right_aligned(decimal(100 * pairs.balanced_error(), 2)) + ", calibration error [%]" +
+         right_aligned(decimal(100 * pairs.calibration_error(), 2)) + ", Brier score" +
+         right_aligned(decimal(pairs.brier_score(), 4)) + "\n";
 }
 
 nlohmann::ordered_json to_json(const PairDecisions& pairs) {
-  return {{"true_positive", pairs.true_positive},
-          {"false_positive", pairs.false_positive},
-          {"true_negative", pairs.true_negative},
-          {"false_negative", pairs.false_negative},
-          {"balanced_error", pairs.balanced_error()}};
+  auto bins = nlohmann::ordered_json::array();
+  for (const PairDecisions::Bin& bin : pairs.bins)
+    bins.push_back({{"pairs", bin.pairs}, {"positive", bin.positive}, {"sum_of_probability", bin.probability}});
+  return {{"true_positive", pairs.true_positive},     {"false_positive", pairs.false_positive},
+          {"true_negative", pairs.true_negative},     {"false_negative", pairs.false_negative},
+          {"balanced_error", pairs.balanced_error()}, {"calibration_error", pairs.calibration_error()},
+          {"brier_score", pairs.brier_score()},       {"reliability", std::move(bins)}};
 }
 
 }  // namespace gestalt

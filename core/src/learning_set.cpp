@@ -4,6 +4,7 @@
 #include "gestalt/learning_set.h"
 
 #include <algorithm>
+#include <functional>
 #include <map>
 
 #include "gestalt/error.h"
@@ -27,10 +28,8 @@ std::vector<int> surface_objects(const SurfaceSet& surfaces, const cv::Mat_<std:
   return objects;
 }
 
-void append_pairs(const Percept& percept, const cv::Mat_<std::uint16_t>& ground_truth, Samples& samples) {
-  const RelationTable& table = percept.relations;
-  const std::vector<int> objects = surface_objects(percept.surfaces, ground_truth);
-  samples.columns = table.names.size();
+Samples labelled_pairs(const RelationTable& table, const std::vector<int>& objects) {
+  Samples samples{table.names.size(), {}, {}};
   for (std::size_t i = 0; i < table.pairs.size(); ++i) {
     const int a = objects[std::size_t(table.pairs[i].a)], b = objects[std::size_t(table.pairs[i].b)];
     if (a == 0 || b == 0 || (a == 1 && b == 1)) continue;
@@ -38,6 +37,67 @@ void append_pairs(const Percept& percept, const cv::Mat_<std::uint16_t>& ground_
     const std::span<const double> row = table.row(i);
     samples.values.insert(samples.values.end(), row.begin(), row.end());
   }
+  return samples;
+}
+
+LearningScene make_learning_scene(const Pipeline& pipeline, const Frame& frame,
+                                  const cv::Mat_<std::uint16_t>& ground_truth) {
+  LearningScene scene{frame.name, pipeline.perceive(frame), {}};
+  scene.objects = surface_objects(scene.percept.surfaces, ground_truth);
+  // Most of a percept's memory, and nothing that a decision looks at.
+  scene.percept.patches = {};
+  scene.percept.surfaces.adjacencies.clear();
+  return scene;
+}
+
+Samples assembly_pairs(const LearningScene& scene, const std::vector<int>& structural_groups) {
+  RelationTable apart{scene.percept.assembly.names, {}, {}};
+  for (std::size_t i = 0; i < scene.percept.assembly.pairs.size(); ++i) {
+    const auto pair = scene.percept.assembly.pairs[i];
+    if (structural_groups[std::size_t(pair.a)] == structural_groups[std::size_t(pair.b)]) continue;
+    apart.pairs.push_back(pair);
+    const std::span<const double> row = scene.percept.assembly.row(i);
+    apart.values.insert(apart.values.end(), row.begin(), row.end());
+  }
+  return labelled_pairs(apart, scene.objects);
+}
+
+namespace {
+
+void append(Samples& samples, const Samples& more) {
+  samples.values.insert(samples.values.end(), more.values.begin(), more.values.end());
+  samples.positive.insert(samples.positive.end(), more.positive.begin(), more.positive.end());
+}
+
+Model learn_level(const Pipeline& pipeline, Level level, const std::vector<const LearningScene*>& scenes,
+                  const std::function<Samples(const LearningScene&)>& samples_of) {
+  const ExpectedModel expected = pipeline.expected_model(level);
+  Samples samples{expected.names.size(), {}, {}};
+  TrainingData training;
+  for (const LearningScene* scene : scenes) {
+    append(samples, samples_of(*scene));
+    training.scenes.push_back(scene->name);
+  }
+  try {
+    return train_model(expected.classifier, expected.classifier_name, expected.names, samples, std::move(training),
+                       config_hash(pipeline.config(), level));
+  } catch (const ModelError& error) {
+    throw ModelError(std::string(name_of(level)) + " level: " + error.what());
+  }
+}
+
+}  // namespace
+
+Models learn(const Pipeline& pipeline, const std::vector<const LearningScene*>& scenes) {
+  Models models{
+      learn_level(pipeline, Level::structural, scenes,
+                  [](const LearningScene& scene) { return labelled_pairs(scene.percept.structural, scene.objects); }),
+      {}};
+  if (pipeline.config().with_assembly)
+    models.assembly = learn_level(pipeline, Level::assembly, scenes, [&](const LearningScene& scene) {
+      return assembly_pairs(scene, pipeline.structural_groups(scene.percept, models.structural));
+    });
+  return models;
 }
 
 }  // namespace gestalt

@@ -18,7 +18,7 @@ using nlohmann::json;
 namespace {
 
 constexpr const char* format = "gestalt-model";
-constexpr int version = 1;
+constexpr int version = 2;
 constexpr std::uintmax_t largest_file = std::uintmax_t{256} << 20;  // bytes
 
 const char* const retrain = "retrain it with `gestalt train`";
@@ -134,56 +134,86 @@ Model train_model(const Classifier& classifier, std::string classifier_name, std
           classifier.train(scaled)};
 }
 
-void write_model(const fs::path& file, const Model& model) {
-  const json document{{"format", format},
-                      {"version", version},
-                      {"names", model.names},
-                      {"scaling", {{"low", model.scaling.low}, {"high", model.scaling.high}}},
-                      {"classifier", model.classifier},
-                      {"config_hash", model.config_hash},
-                      {"training",
-                       {{"scenes", model.training.scenes},
-                        {"positive_pairs", model.training.positive_pairs},
-                        {"negative_pairs", model.training.negative_pairs}}},
-                      {"state", model.predictor->state()}};
+namespace {
+
+json to_json(const Model& model) {
+  return {{"names", model.names},
+          {"scaling", {{"low", model.scaling.low}, {"high", model.scaling.high}}},
+          {"classifier", model.classifier},
+          {"config_hash", model.config_hash},
+          {"training",
+           {{"scenes", model.training.scenes},
+            {"positive_pairs", model.training.positive_pairs},
+            {"negative_pairs", model.training.negative_pairs}}},
+          {"state", model.predictor->state()}};
+}
+
+[[noreturn]] void fail(const fs::path& file, const std::string& what) { throw ModelError(file.string() + ": " + what); }
+
+/// The model's format and version are those of this program.
+void check_format(const fs::path& file, const json& document) {
+  if (!document.is_object() || document.value("format", json()) != format)
+    fail(file,
+         std::string("is no model: 'format' is not \"") + format + "\"; name a file that `gestalt train` has written");
+  if (document.value("version", json()) != version)
+    fail(file, "has version " + document.value("version", json()).dump(-1, ' ', false, json::error_handler_t::replace) +
+                   " of the model format, this program reads version " + std::to_string(version) + "; " + retrain);
+}
+
+Model read_level(const fs::path& file, const json& document, Level level, const ExpectedModel& expected) {
+  const std::string level_name = name_of(level);
+  const json levels = document.value("levels", json());
+  if (!levels.is_object()) fail(file, std::string("is damaged: 'levels' must hold the models by level; ") + retrain);
+  if (!levels.contains(level_name))
+    fail(file, "has no model of the " + level_name + " level; " + retrain +
+                   " with this config, or use a config without that level");
+  Model model;
+  json state;
+  try {
+    const json& content = levels.at(level_name);
+    model.names = texts_field(content, "names");
+    model.scaling = read_scaling(field(content, "scaling"), model.names.size());
+    model.classifier = text_field(content, "classifier");
+    model.config_hash = text_field(content, "config_hash");
+    const json& training = field(content, "training");
+    model.training = {texts_field(training, "scenes"), count_field(training, "positive_pairs"),
+                      count_field(training, "negative_pairs")};
+    state = field(content, "state");
+  } catch (const ModelError& error) {
+    fail(file, "is damaged: " + level_name + " level: " + error.what() + "; " + retrain);
+  }
+  if (const std::string text = difference(model.names, expected.names); !text.empty())
+    fail(file, level_name + " level: was trained on the relation values " + joined(model.names) + text + "; " +
+                   retrain + ", or use the config that it was made for");
+  if (model.classifier != expected.classifier_name)
+    fail(file, level_name + " level: was trained with the classifier '" + model.classifier + "', the config has '" +
+                   expected.classifier_name + "'; " + retrain + ", or set " + level_name + ".classifier to " +
+                   model.classifier);
+  try {
+    model.predictor = expected.classifier.restore(state, model.names.size());
+  } catch (const std::exception& error) {
+    fail(file, "is damaged: the state of its classifier '" + model.classifier + "' of the " + level_name +
+                   " level: " + error.what() + "; " + retrain);
+  }
+  return model;
+}
+
+}  // namespace
+
+void write_models(const fs::path& file, const Models& models) {
+  json document{{"format", format}, {"version", version}, {"levels", {{"structural", to_json(models.structural)}}}};
+  if (models.assembly) document["levels"]["assembly"] = to_json(*models.assembly);
   // A scene's name comes from a path, which may be no UTF-8.
   write_file(file, document.dump(-1, ' ', false, json::error_handler_t::replace) + "\n");
 }
 
-Model read_model(const fs::path& file, const Classifier& classifier, const std::string& classifier_name,
-                 const std::vector<std::string>& names) {
+Models read_models(const fs::path& file, const ExpectedModel& structural,
+                   const std::optional<ExpectedModel>& assembly) {
   const json document = parse(file, read_text(file));
-  const auto fail = [&](const std::string& what) { throw ModelError(file.string() + ": " + what); };
-  if (!document.is_object() || document.value("format", json()) != format)
-    fail(std::string("is no model: 'format' is not \"") + format + "\"; name a file that `gestalt train` has written");
-  if (document.value("version", json()) != version)
-    fail("has version " + document.value("version", json()).dump(-1, ' ', false, json::error_handler_t::replace) +
-         " of the model format, this program reads version " + std::to_string(version) + "; " + retrain);
-
-  Model model;
-  try {
-    model.names = texts_field(document, "names");
-    model.scaling = read_scaling(field(document, "scaling"), model.names.size());
-    model.classifier = text_field(document, "classifier");
-    model.config_hash = text_field(document, "config_hash");
-    const json& training = field(document, "training");
-    model.training = {texts_field(training, "scenes"), count_field(training, "positive_pairs"),
-                      count_field(training, "negative_pairs")};
-  } catch (const ModelError& error) {
-    fail(std::string("is damaged: ") + error.what() + "; " + retrain);
-  }
-  if (const std::string text = difference(model.names, names); !text.empty())
-    fail("was trained on the relation values " + joined(model.names) + text + "; " + retrain +
-         ", or use the config that it was made for");
-  if (model.classifier != classifier_name)
-    fail("was trained with the classifier '" + model.classifier + "', the config has '" + classifier_name + "'; " +
-         retrain + ", or set structural.classifier to " + model.classifier);
-  try {
-    model.predictor = classifier.restore(field(document, "state"), names.size());
-  } catch (const std::exception& error) {
-    fail("is damaged: the state of its classifier '" + model.classifier + "': " + error.what() + "; " + retrain);
-  }
-  return model;
+  check_format(file, document);
+  Models models{read_level(file, document, Level::structural, structural), {}};
+  if (assembly) models.assembly = read_level(file, document, Level::assembly, *assembly);
+  return models;
 }
 
 }  // namespace gestalt

@@ -58,29 +58,61 @@ Pipeline::Pipeline(Config config, const Registry& registry)
     : config_(std::move(config)),
       clusterer_(registry.create<Clusterer>(config_.clusterer.plugin, config_.clusterer.params)),
       surface_modelling_(SurfaceModellingParams::parameters().read(config_.surface_modelling)),
-      classifier_(registry.create<Classifier>(config_.classifier.plugin, config_.classifier.params)),
+      noise_(SensorParams::parameters().read(config_.sensor).depth_noise()),
       solver_(registry.create<Solver>(config_.solver.plugin, config_.solver.params)) {
   for (const ComponentConfig& fitter : config_.fitters)
     fitters_.push_back(registry.create<Fitter>(fitter.plugin, fitter.params));
-  for (const ComponentConfig& relation : config_.relations)
-    relations_.push_back({relation.name, registry.create<Relation>(relation.plugin, relation.params), relation.plugin});
-  value_names_ = gestalt::value_names(relations_);
+  Known known;
+  structural_ = make_grouping(config_.structural, registry, known);
+  if (config_.with_assembly) assembly_ = make_grouping(config_.assembly.value(), registry, known);
+  for (auto& [component, relation] : known) relations_.push_back(std::move(relation));
 }
 
-Model Pipeline::load_model() const {
+/// Equal relations of two levels are one object, so that they are bound to a scene once.
+Pipeline::Grouping Pipeline::make_grouping(const LevelConfig& config, const Registry& registry, Known& known) {
+  Grouping grouping;
+  for (const ComponentConfig& component : config.relations) {
+    const auto same = std::find_if(known.begin(), known.end(), [&](const auto& entry) {
+      return entry.first.plugin == component.plugin && entry.first.params == component.params;
+    });
+    NamedRelation named{component.name, nullptr, component.plugin};
+    if (same != known.end()) {
+      named.relation = same->second.relation;
+    } else {
+      named.relation = registry.create<Relation>(component.plugin, component.params);
+      known.emplace_back(component, named);
+    }
+    grouping.relations.push_back(std::move(named));
+  }
+  grouping.classifier = registry.create<Classifier>(config.classifier.plugin, config.classifier.params);
+  grouping.value_names = gestalt::value_names(grouping.relations);
+  grouping.minimum_size = config.minimum_size;
+  return grouping;
+}
+
+ExpectedModel Pipeline::expected_model(Level level) const {
+  if (level == Level::structural)
+    return {*structural_.classifier, config_.structural.classifier.plugin, structural_.value_names};
+  if (!assembly_) throw ConfigError("the config does without the assembly level; set levels to structural+assembly");
+  return {*assembly_->classifier, config_.assembly->classifier.plugin, assembly_->value_names};
+}
+
+Models Pipeline::load_models() const {
   if (config_.model.empty())
-    throw ModelError(
-        "the config names no model (structural.model); train one with 'gestalt train SCENES --output MODEL'");
-  return read_model(config_.model, *classifier_, config_.classifier.plugin, value_names_);
+    throw ModelError("the config names no model (model:); train one with 'gestalt train SCENES --output MODEL'");
+  return read_models(config_.model, expected_model(Level::structural),
+                     assembly_ ? std::optional(expected_model(Level::assembly)) : std::nullopt);
 }
 
-Percept Pipeline::perceive(const Frame& frame) const {
-  if (!frame.has_colour())
+Percept Pipeline::perceive(const Frame& given) const {
+  if (!given.has_colour())
     for (const NamedRelation& named : relations_)
       if (named.relation->needs_colour())
         throw InputError(
-            frame.name + ": has no colour image, and relation '" + named.name +
+            given.name + ": has no colour image, and relation '" + named.name +
             "' needs one; add rgb.png, or use a config without colour relations and a model trained for it");
+  Frame frame = given;  // shares the images
+  frame.noise = noise_;
   Percept percept;
   {
     const Stopwatch watch(percept.times.signal);
@@ -90,28 +122,75 @@ Percept Pipeline::perceive(const Frame& frame) const {
     const Stopwatch watch(percept.times.primitive);
     percept.surfaces = model_surfaces(frame, percept.patches, fitters_, surface_modelling_);
   }
+  std::optional<Measures> measures;
+  const Scene scene(frame, percept.patches, percept.surfaces);
   {
     const Stopwatch watch(percept.times.structural);
-    const Scene scene(frame, percept.patches, percept.surfaces);
-    percept.relations = relate_neighbours(scene, relations_, config_.minimum_size);
+    measures.emplace(scene, relations_);
+    percept.structural =
+        relate(neighbour_pairs(percept.surfaces, structural_.minimum_size), structural_.relations, *measures);
+  }
+  if (assembly_) {
+    const Stopwatch watch(percept.times.assembly);
+    percept.assembly =
+        relate(non_neighbour_pairs(percept.surfaces, assembly_->minimum_size), assembly_->relations, *measures);
   }
   return percept;
 }
 
-Segmentation Pipeline::decide(const Percept& percept, const Model& model, LevelTimes* times) const {
+namespace {
+
+Graph structural_graph(const Percept& percept, const Model& model) {
+  Graph graph;
+  for (const Surface& surface : percept.surfaces.surfaces) graph.sizes.push_back(int(surface.pixels.size()));
+  for (std::size_t i = 0; i < percept.structural.pairs.size(); ++i) {
+    const auto [a, b] = percept.structural.pairs[i];
+    graph.edges.push_back({a, b, model.probability(percept.structural.row(i)), Level::structural});
+  }
+  return graph;
+}
+
+/// The edges between different structural groups.
+std::vector<Edge> assembly_edges(const Percept& percept, const Model& model, const std::vector<int>& groups) {
+  std::vector<Edge> edges;
+  for (std::size_t i = 0; i < percept.assembly.pairs.size(); ++i) {
+    const auto [a, b] = percept.assembly.pairs[i];
+    if (groups[std::size_t(a)] != groups[std::size_t(b)])
+      edges.push_back({a, b, model.probability(percept.assembly.row(i)), Level::assembly});
+  }
+  return edges;
+}
+
+}  // namespace
+
+std::vector<int> Pipeline::structural_groups(const Percept& percept, const Model& model) const {
+  return solver_->solve(structural_graph(percept, model));
+}
+
+Segmentation Pipeline::decide(const Percept& percept, const Models& models, LevelTimes* times) const {
   LevelTimes ignored;
   LevelTimes& spent = times ? *times : ignored;
   Graph graph;
   {
     const Stopwatch watch(spent.structural);
-    for (const Surface& surface : percept.surfaces.surfaces) graph.sizes.push_back(int(surface.pixels.size()));
-    for (std::size_t i = 0; i < percept.relations.pairs.size(); ++i) {
-      const auto [a, b] = percept.relations.pairs[i];
-      graph.edges.push_back({a, b, model.probability(percept.relations.row(i)), Level::structural});
-    }
+    graph = structural_graph(percept, models.structural);
   }
-  const Stopwatch watch(spent.decision);
-  const std::vector<int> groups = solver_->solve(graph);
+  std::vector<int> groups;
+  {
+    const Stopwatch watch(spent.decision);
+    groups = solver_->solve(graph);
+  }
+  if (assembly_) {
+    {
+      const Stopwatch watch(spent.assembly);
+      const std::vector<Edge> edges = assembly_edges(percept, models.assembly.value(), groups);
+      graph.edges.insert(graph.edges.end(), edges.begin(), edges.end());
+      std::sort(graph.edges.begin(), graph.edges.end(),
+                [](const Edge& x, const Edge& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
+    }
+    const Stopwatch watch(spent.decision);
+    groups = solver_->solve(graph);
+  }
   return assemble(percept.surfaces, std::move(graph), groups);
 }
 

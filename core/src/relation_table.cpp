@@ -4,6 +4,7 @@
 #include "gestalt/relation_table.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_for_each.h>
 
 #include <algorithm>
 #include <cmath>
@@ -31,39 +32,67 @@ std::vector<std::string> value_names(const std::vector<NamedRelation>& relations
     for (const RelationValue& value : named.relation->values()) {
       const std::string name = named.name == named.plugin ? value.name : value.name + "." + named.name;
       if (std::find(names.begin(), names.end(), name) != names.end())
-        throw ConfigError("structural.relations: two relations give the value " + name + ", the second is '" +
-                          named.name + "'; take one of them out");
+        throw ConfigError("two relations of a level give the value " + name + ", the second is '" + named.name +
+                          "'; take one of them out");
       names.push_back(name);
     }
   return names;
 }
 
-RelationTable relate_neighbours(const Scene& scene, const std::vector<NamedRelation>& relations, int minimum_size) {
-  RelationTable table{value_names(relations), {}, {}};
-  std::vector<const Adjacency*> borders;
-  const auto large_enough = [&](int i) {
-    return int(scene.surfaces().surfaces[std::size_t(i)].pixels.size()) >= minimum_size;
-  };
-  for (const Adjacency& adjacency : scene.surfaces().adjacencies) {
-    if (adjacency.border_3d.empty() || !large_enough(adjacency.a) || !large_enough(adjacency.b)) continue;
-    table.pairs.push_back({adjacency.a, adjacency.b});
-    borders.push_back(&adjacency);
+namespace {
+
+/// Whether each surface has at least minimum_size pixels.
+std::vector<bool> large_enough(const SurfaceSet& surfaces, int minimum_size) {
+  std::vector<bool> large;
+  for (const Surface& surface : surfaces.surfaces) large.push_back(int(surface.pixels.size()) >= minimum_size);
+  return large;
+}
+
+}  // namespace
+
+std::vector<SurfacePair> neighbour_pairs(const SurfaceSet& surfaces, int minimum_size) {
+  const std::vector<bool> large = large_enough(surfaces, minimum_size);
+  std::vector<SurfacePair> pairs;
+  for (const Adjacency& adjacency : surfaces.adjacencies)
+    if (!adjacency.border_3d.empty() && large[std::size_t(adjacency.a)] && large[std::size_t(adjacency.b)])
+      pairs.push_back({adjacency.a, adjacency.b, &adjacency});
+  return pairs;
+}
+
+std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, int minimum_size) {
+  const std::vector<bool> large = large_enough(surfaces, minimum_size);
+  std::vector<SurfacePair> pairs;
+  auto adjacency = surfaces.adjacencies.begin();
+  for (int a = 0; a < int(large.size()); ++a) {
+    if (!large[std::size_t(a)]) continue;
+    for (int b = a + 1; b < int(large.size()); ++b) {
+      if (!large[std::size_t(b)]) continue;
+      while (adjacency != surfaces.adjacencies.end() && std::pair(adjacency->a, adjacency->b) < std::pair(a, b))
+        ++adjacency;
+      const bool touch = adjacency != surfaces.adjacencies.end() && adjacency->a == a && adjacency->b == b;
+      if (!touch || adjacency->border_3d.empty()) pairs.push_back({a, b, touch ? &*adjacency : nullptr});
+    }
   }
+  return pairs;
+}
+
+Measures::Measures(const Scene& scene, const std::vector<NamedRelation>& relations) {
+  for (const NamedRelation& named : relations) measures_.try_emplace(named.relation.get());
+  tbb::parallel_for_each(measures_, [&](auto& entry) { entry.second = entry.first->bind(scene); });
+}
+
+RelationTable relate(const std::vector<SurfacePair>& pairs, const std::vector<NamedRelation>& relations,
+                     const Measures& measures) {
+  RelationTable table{value_names(relations), {}, {}};
   const std::size_t columns = table.names.size();
-  table.values.resize(columns * table.pairs.size());
-  if (table.pairs.empty()) return table;
-
-  std::vector<std::unique_ptr<Measure>> measures(relations.size());
-  tbb::parallel_for(std::size_t{0}, relations.size(),
-                    [&](std::size_t r) { measures[r] = relations[r].relation->bind(scene); });
-
-  tbb::parallel_for(std::size_t{0}, table.pairs.size(), [&](std::size_t i) {
-    const SurfacePair pair{table.pairs[i].a, table.pairs[i].b, borders[i]};
+  table.values.resize(columns * pairs.size());
+  for (const SurfacePair& pair : pairs) table.pairs.push_back({pair.a, pair.b});
+  tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
     std::span<double> row(table.values.data() + i * columns, columns);
-    for (std::size_t r = 0; r < relations.size(); ++r) {
-      const std::span<double> own = row.first(relations[r].relation->values().size());
-      (*measures[r])(pair, own);
-      check_values(relations[r], own);
+    for (const NamedRelation& named : relations) {
+      const std::span<double> own = row.first(named.relation->values().size());
+      measures.of (*named.relation)(pairs[i], own);
+      check_values(named, own);
       row = row.subspan(own.size());
     }
   });

@@ -6,6 +6,7 @@
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "gestalt/output_file.h"
@@ -38,15 +39,20 @@ Json patches_json(const SurfaceSet& surfaces) {
   return patches;
 }
 
-Json pairs_json(const RelationTable& table, const Graph& graph) {
+/// The edges of the graph with the relation values that they come from.
+Json pairs_json(const Percept& percept, const Graph& graph) {
   Json pairs = Json::array();
-  for (std::size_t i = 0; i < table.pairs.size(); ++i) {
+  std::map<Level, std::size_t> next;
+  for (const Edge& edge : graph.edges) {
+    const RelationTable& table = edge.level == Level::structural ? percept.structural : percept.assembly;
+    std::size_t& row = next[edge.level];  // a table's rows are sorted as the edges are
+    while (table.pairs.at(row).a != edge.a || table.pairs.at(row).b != edge.b) ++row;
     Json values;
-    for (std::size_t k = 0; k < table.names.size(); ++k) values[table.names[k]] = table.row(i)[k];
-    pairs.push_back({{"a", table.pairs[i].a},
-                     {"b", table.pairs[i].b},
-                     {"level", "structural"},
-                     {"p", graph.edges.at(i).probability},
+    for (std::size_t k = 0; k < table.names.size(); ++k) values[table.names[k]] = table.row(row)[k];
+    pairs.push_back({{"a", edge.a},
+                     {"b", edge.b},
+                     {"level", name_of(edge.level)},
+                     {"p", edge.probability},
                      {"relations", std::move(values)}});
   }
   return pairs;
@@ -82,11 +88,12 @@ Json result_json(const Input& input, const Percept& percept, const Segmentation&
           {"camera", camera_json(input.frame.camera)},
           {"segments", segments_json(segmentation)},
           {"patches", patches_json(percept.surfaces)},
-          {"pairs", pairs_json(percept.relations, segmentation.graph)},
+          {"pairs", pairs_json(percept, segmentation.graph)},
           {"milliseconds",
            {{"signal", times.signal},
             {"primitive", times.primitive},
             {"structural", times.structural},
+            {"assembly", times.assembly},
             {"decision", times.decision},
             {"total", times.total()}}},
           {"config", config}};

@@ -115,14 +115,22 @@ void expect_equal(const std::vector<ComponentConfig>& a, const std::vector<Compo
   for (std::size_t i = 0; i < a.size(); ++i) expect_equal(a[i], b[i]);
 }
 
+void expect_equal(const LevelConfig& a, const LevelConfig& b) {
+  expect_equal(a.relations, b.relations);
+  expect_equal(a.classifier, b.classifier);
+  EXPECT_EQ(a.minimum_size, b.minimum_size);
+}
+
 void expect_equal(const Config& a, const Config& b) {
   expect_equal(a.clusterer, b.clusterer);
   expect_equal(a.fitters, b.fitters);
   EXPECT_EQ(a.surface_modelling, b.surface_modelling);
-  expect_equal(a.relations, b.relations);
-  expect_equal(a.classifier, b.classifier);
+  EXPECT_EQ(a.with_assembly, b.with_assembly);
   EXPECT_EQ(a.model, b.model);
-  EXPECT_EQ(a.minimum_size, b.minimum_size);
+  EXPECT_EQ(a.sensor, b.sensor);
+  expect_equal(a.structural, b.structural);
+  ASSERT_EQ(a.assembly.has_value(), b.assembly.has_value());
+  if (a.assembly) expect_equal(*a.assembly, *b.assembly);
   expect_equal(a.solver, b.solver);
 }
 
@@ -133,12 +141,12 @@ TEST_F(ConfigTest, ReadsComponentsAndFillsInDefaults) {
   EXPECT_EQ(config.clusterer.plugin, "steps");
   EXPECT_EQ(integer(config.clusterer, "bins"), 4);
   EXPECT_EQ(names(config.fitters), Names{"flat"});
-  EXPECT_EQ(names(config.relations), (Names{"colour", "texture"}));
-  EXPECT_EQ(integer(config.relations[1], "bins"), 8);
-  EXPECT_EQ(std::get<bool>(config.relations[1].params.at("smooth")), true);
-  EXPECT_EQ(real(config.classifier, "sigma"), 3.0);
+  EXPECT_EQ(names(config.structural.relations), (Names{"colour", "texture"}));
+  EXPECT_EQ(integer(config.structural.relations[1], "bins"), 8);
+  EXPECT_EQ(std::get<bool>(config.structural.relations[1].params.at("smooth")), true);
+  EXPECT_EQ(real(config.structural.classifier, "sigma"), 3.0);
   EXPECT_EQ(config.solver.plugin, "cut");
-  EXPECT_EQ(config.minimum_size, 30);
+  EXPECT_EQ(config.structural.minimum_size, 30);
   EXPECT_TRUE(config.model.empty());
   EXPECT_EQ(std::get<double>(config.surface_modelling.at("kappa_2")), 1.0);
 }
@@ -150,15 +158,15 @@ TEST_F(ConfigTest, AListMayBeWrittenAsAMapping) {
     coarse: {plugin: colour, params: {bins: 2}}
     fine: colour
 )"));
-  EXPECT_EQ(names(config.relations), (Names{"colour", "texture", "border", "coarse", "fine"}));
-  EXPECT_EQ(config.relations[3].plugin, "colour");
-  EXPECT_EQ(integer(config.relations[3], "bins"), 2);
-  EXPECT_EQ(config.relations[4].plugin, "colour");
-  EXPECT_EQ(integer(config.relations[4], "bins"), 4);
+  EXPECT_EQ(names(config.structural.relations), (Names{"colour", "texture", "border", "coarse", "fine"}));
+  EXPECT_EQ(config.structural.relations[3].plugin, "colour");
+  EXPECT_EQ(integer(config.structural.relations[3], "bins"), 2);
+  EXPECT_EQ(config.structural.relations[4].plugin, "colour");
+  EXPECT_EQ(integer(config.structural.relations[4], "bins"), 4);
 }
 
 TEST_F(ConfigTest, ALeadingZeroIsNoOctalNumber) {
-  EXPECT_EQ(resolve(extend("structural: {minimum_size: 010}")).minimum_size, 10);
+  EXPECT_EQ(resolve(extend("structural: {minimum_size: 010}")).structural.minimum_size, 10);
 }
 
 TEST_F(ConfigTest, AnAliasRepeatsAValue) {
@@ -177,30 +185,31 @@ TEST_F(ConfigTest, ListsMergeByName) {
     - border
     - {plugin: texture, params: {sigma: 2}}
 )"));
-  EXPECT_EQ(names(config.relations), (Names{"colour", "texture", "border"}));
-  EXPECT_EQ(integer(config.relations[1], "bins"), 8);
-  EXPECT_EQ(real(config.relations[1], "sigma"), 2.0);
+  EXPECT_EQ(names(config.structural.relations), (Names{"colour", "texture", "border"}));
+  EXPECT_EQ(integer(config.structural.relations[1], "bins"), 8);
+  EXPECT_EQ(real(config.structural.relations[1], "sigma"), 2.0);
 }
 
 TEST_F(ConfigTest, OffTakesAComponentOutAndOnBringsItBackInItsPlace) {
   const fs::path file = extend("structural: {relations: {colour: off}}");
-  EXPECT_EQ(names(resolve(file).relations), Names{"texture"});
-  EXPECT_EQ(names(resolve(file, {"structural.relations.colour=on"}).relations), (Names{"colour", "texture"}));
+  EXPECT_EQ(names(resolve(file).structural.relations), Names{"texture"});
+  EXPECT_EQ(names(resolve(file, {"structural.relations.colour=on"}).structural.relations),
+            (Names{"colour", "texture"}));
 }
 
 TEST_F(ConfigTest, ANewPluginDropsTheParamsOfTheOldOne) {
-  EXPECT_EQ(real(resolve(extend("structural: {classifier: tree}")).classifier, "sigma"), 1.5);
-  EXPECT_EQ(real(resolve(extend("structural: {classifier: line}")).classifier, "sigma"), 3.0);
+  EXPECT_EQ(real(resolve(extend("structural: {classifier: tree}")).structural.classifier, "sigma"), 1.5);
+  EXPECT_EQ(real(resolve(extend("structural: {classifier: line}")).structural.classifier, "sigma"), 3.0);
   const Config config = resolve(extend("structural: {classifier: {params: {bins: 2}, plugin: tree}}"));
-  EXPECT_EQ(real(config.classifier, "sigma"), 1.5);
-  EXPECT_EQ(integer(config.classifier, "bins"), 2);
+  EXPECT_EQ(real(config.structural.classifier, "sigma"), 1.5);
+  EXPECT_EQ(integer(config.structural.classifier, "bins"), 2);
 }
 
 TEST_F(ConfigTest, AChainMergesFromItsEnd) {
   write("middle.yaml", "schema_version: 1\nextends: base.yaml\nstructural: {minimum_size: 40, classifier: tree}\n");
   const fs::path file =
       write("sub/top.yaml", "schema_version: 1\nextends: ../middle.yaml\nstructural: {minimum_size: 50}\n");
-  EXPECT_EQ(resolve(file).minimum_size, 50);
+  EXPECT_EQ(resolve(file).structural.minimum_size, 50);
   EXPECT_EQ(resolve(file).classifier.plugin, "tree");
 }
 
@@ -214,10 +223,10 @@ TEST_F(ConfigTest, PluginDirectoriesAreRelativeToTheirFile) {
 
 TEST_F(ConfigTest, AModelIsLookedUpBesideTheFileThatNamesIt) {
   write("base.yaml", std::string(base_text) + "  # the model\n");
-  write("sub/middle.yaml", "schema_version: 1\nextends: ../base.yaml\nstructural: {model: mine.json}\n");
+  write("sub/middle.yaml", "schema_version: 1\nextends: ../base.yaml\nmodel: mine.json\n");
   const fs::path file = write("top.yaml", "schema_version: 1\nextends: sub/middle.yaml\n");
   EXPECT_EQ(resolve(file).model, folder_ / "sub/mine.json");
-  EXPECT_TRUE(resolve(file, {"structural.model=none"}).model.empty());
+  EXPECT_TRUE(resolve(file, {"model=none"}).model.empty());
 }
 
 // Overrides
@@ -229,13 +238,13 @@ TEST_F(ConfigTest, OverridesSetValuesInOrder) {
                       "structural.minimum_size=60", "signal.clusterer=grid", "signal.clusterer.params.bins=3",
                       "structural.classifier={plugin: tree, params: {norm: l1}}", "primitive.fitters=[round]",
                       "primitive.model_selection.sigma=0.004"});
-  EXPECT_EQ(names(config.relations), (Names{"colour", "border"}));
-  EXPECT_EQ(real(config.relations[1], "sigma"), 2.5);
-  EXPECT_EQ(config.minimum_size, 60);
+  EXPECT_EQ(names(config.structural.relations), (Names{"colour", "border"}));
+  EXPECT_EQ(real(config.structural.relations[1], "sigma"), 2.5);
+  EXPECT_EQ(config.structural.minimum_size, 60);
   EXPECT_EQ(config.clusterer.plugin, "grid");
   EXPECT_EQ(integer(config.clusterer, "bins"), 3);
-  EXPECT_EQ(config.classifier.plugin, "tree");
-  EXPECT_EQ(std::get<std::string>(config.classifier.params.at("norm")), "l1");
+  EXPECT_EQ(config.structural.classifier.plugin, "tree");
+  EXPECT_EQ(std::get<std::string>(config.structural.classifier.params.at("norm")), "l1");
   EXPECT_EQ(names(config.fitters), (Names{"flat", "round"}));
   EXPECT_EQ(std::get<double>(config.surface_modelling.at("sigma")), 0.004);
 }
@@ -485,7 +494,7 @@ TEST_F(ConfigTest, ACommaLocaleOfCppChangesNothing) {
   const std::string printed = ConfigTree(base_, overrides).print(registry_);
   const CommaLocale comma;
   const ConfigTree tree(base_, overrides);
-  EXPECT_EQ(real(tree.resolve(registry_).classifier, "sigma"), 2.5);
+  EXPECT_EQ(real(tree.resolve(registry_).structural.classifier, "sigma"), 2.5);
   EXPECT_EQ(tree.print(registry_), printed);
   EXPECT_EQ(errors(base_, {"structural.classifier.params.sigma=2,5"}).size(), 1u);
   EXPECT_EQ(errors(extend(std::string(1500, '\n') + "a: 1")), Lines{"extended.yaml:1503:1: a: unknown key"});
@@ -499,14 +508,58 @@ TEST_F(ConfigTest, ACommaLocaleOfCChangesNothing) {
   const Config config = tree.resolve(registry_);
   const std::string printed = tree.print(registry_);
   std::setlocale(LC_ALL, old.c_str());
-  EXPECT_EQ(real(config.classifier, "sigma"), 2.5);
+  EXPECT_EQ(real(config.structural.classifier, "sigma"), 2.5);
   EXPECT_EQ(printed, tree.print(registry_));
+}
+
+// Levels
+
+const char* const assembly_text = R"(levels: structural+assembly
+assembly:
+  relations: [border, colour]
+  classifier: tree
+)";
+
+TEST_F(ConfigTest, TheAssemblyLevelHasASectionOfItsOwn) {
+  const Config config = resolve(extend(assembly_text));
+  EXPECT_TRUE(config.with_assembly);
+  ASSERT_TRUE(config.assembly);
+  EXPECT_EQ(names(config.assembly->relations), (Names{"border", "colour"}));
+  EXPECT_EQ(config.assembly->classifier.plugin, "tree");
+  EXPECT_EQ(config.assembly->minimum_size, 300);
+  EXPECT_EQ(names(config.structural.relations), (Names{"colour", "texture"}));
+  EXPECT_EQ(names(resolve(folder_ / "extended.yaml", {"assembly.relations.colour=off"}).assembly->relations),
+            Names{"border"});
+}
+
+TEST_F(ConfigTest, LevelsSwitchesTheAssemblyLevel) {
+  EXPECT_FALSE(resolve(base_).with_assembly);
+  EXPECT_FALSE(resolve(base_).assembly);
+  const Config off = resolve(extend(assembly_text), {"levels=structural"});
+  EXPECT_FALSE(off.with_assembly);
+  EXPECT_TRUE(off.assembly) << "kept for whoever switches it on again";
+  EXPECT_EQ(errors(base_, {"levels=structural+assembly"}),
+            (Lines{"base.yaml:1:1: assembly.relations: the list is empty; it needs at least one relation (known: "
+                   "border, colour, texture)",
+                   "base.yaml:1:1: assembly.classifier: names no plugin; expected the name of a classifier (known: "
+                   "line, tree)"}));
+  EXPECT_EQ(errors(base_, {"levels=assembly"}).size(), 1u);
+}
+
+TEST_F(ConfigTest, EachLevelHasAHash) {
+  const Config config = resolve(extend(assembly_text));
+  const Config other = resolve(folder_ / "extended.yaml", {"assembly.minimum_size=50"});
+  EXPECT_EQ(config_hash(config, Level::structural), config_hash(other, Level::structural));
+  EXPECT_NE(config_hash(config, Level::assembly), config_hash(other, Level::assembly));
+  EXPECT_THROW(config_hash(resolve(base_), Level::assembly), ConfigError);
 }
 
 // Hash
 
 TEST_F(ConfigTest, TheHashChangesWithWhatChangesRelationValues) {
-  const auto hash = [this](const Overrides& overrides) { return config_hash(resolve(base_, overrides)); };
+  const auto hash = [this](const Overrides& overrides) {
+    return config_hash(resolve(base_, overrides), Level::structural);
+  };
   const std::string base = hash({});
   EXPECT_EQ(base.size(), 16u);
   EXPECT_EQ(base.find_first_not_of("0123456789abcdef"), std::string::npos);
@@ -515,13 +568,15 @@ TEST_F(ConfigTest, TheHashChangesWithWhatChangesRelationValues) {
                             "structural.relations.border=on", "structural.relations.colour=off",
                             "structural.relations.colour.params.bins=5", "structural.minimum_size=31"})
     EXPECT_NE(hash({other}), base) << other;
-  for (const char* same : {"structural.classifier=tree", "structural.model=other.json", "decision.solver.params.bins=5",
-                           "structural.relations.colour.params.bins=4"})
+  for (const char* same :
+       {"structural.classifier=tree", "model=other.json", "decision.solver.params.bins=5", "sensor.noise=realsense",
+
+        "structural.relations.colour.params.bins=4"})
     EXPECT_EQ(hash({same}), base) << same;
 
   Config swapped = resolve(base_);
-  std::swap(swapped.relations[0], swapped.relations[1]);
-  EXPECT_NE(config_hash(swapped), base);
+  std::swap(swapped.structural.relations[0], swapped.structural.relations[1]);
+  EXPECT_NE(config_hash(swapped, Level::structural), base);
 }
 
 /// FNV-1a of the documented text, so that a model of today is recognised tomorrow.
@@ -529,14 +584,15 @@ TEST(ConfigHash, IsTheFnv1aOfTheCanonicalText) {
   Config config;
   config.clusterer = {"c", "c", {{"x", 0.5}}};
   config.fitters = {{"f", "f", {}}};
-  config.relations = {{"any", "r", {{"on", true}, {"n", std::int64_t{2}}}}};
+  config.structural.minimum_size = 30;
+  config.structural.relations = {{"any", "r", {{"on", true}, {"n", std::int64_t{2}}}}};
   const std::string text =
       "clusterer c\n  x=0.5\nfitter f\nmodel_selection\nrelation r\n  n=2\n  on=true\nminimum_size 30\n";
   std::uint64_t hash = 14695981039346656037u;
   for (const char c : text) hash = (hash ^ std::uint64_t(c)) * 1099511628211u;
   char expected[17];
   std::snprintf(expected, sizeof expected, "%016llx", static_cast<unsigned long long>(hash));
-  EXPECT_EQ(config_hash(config), expected);
+  EXPECT_EQ(config_hash(config, Level::structural), expected);
 }
 
 TEST(DefaultConfig, IsFoundFromTheLibrary) {

@@ -330,7 +330,20 @@ TEST(PairDecisions, BalanceTheErrorsOfBothKinds) {
   EXPECT_EQ(pairs.false_positive, 1);
   EXPECT_EQ(pairs.true_negative, 3);
   EXPECT_DOUBLE_EQ(pairs.balanced_error(), (1.0 / 4 + 1.0 / 10) / 2);
-  EXPECT_NE(format_pairs(pairs).find("17.50"), std::string::npos);
+  EXPECT_NE(format_pairs(pairs, "structural").find("17.50"), std::string::npos);
+}
+
+TEST(PairDecisions, CalibrationComparesProbabilitiesWithShares) {
+  PairDecisions pairs;
+  EXPECT_TRUE(std::isnan(pairs.calibration_error()));
+  for (int i = 0; i < 4; ++i) pairs.count(i == 0, 0.25);  // as said: one of four
+  pairs.count(true, 1);
+  EXPECT_DOUBLE_EQ(pairs.calibration_error(), 0);
+  EXPECT_DOUBLE_EQ(pairs.brier_score(), (3 * 0.0625 + 0.5625) / 5);
+  pairs.count(false, 1);
+  EXPECT_DOUBLE_EQ(pairs.calibration_error(), 1.0 / 6);
+  EXPECT_EQ(pairs.bins[2].pairs, 4);
+  EXPECT_EQ(pairs.bins[9].pairs, 2);
 }
 
 }  // namespace

@@ -58,7 +58,7 @@ class ModelFile : public testing::Test {
   /// What read_model() says, or "" when it accepts the file.
   std::string complaint(const std::vector<std::string>& wanted = names, const std::string& plugin = "first_value") {
     try {
-      read_model(file_, classifier_, plugin, wanted);
+      read_models(file_, {classifier_, plugin, wanted}, {});
     } catch (const ModelError& error) {
       return error.what();
     }
@@ -91,8 +91,8 @@ TEST_F(ModelFile, TrainsOnScaledValues) {
 }
 
 TEST_F(ModelFile, ReadsWhatItWrote) {
-  write_model(file_, model_);
-  const Model read = read_model(file_, classifier_, "first_value", names);
+  write_models(file_, {model_, {}});
+  const Model read = read_models(file_, {classifier_, "first_value", names}, {}).structural;
   EXPECT_EQ(read.names, names);
   EXPECT_EQ(read.scaling.low, model_.scaling.low);
   EXPECT_EQ(read.scaling.high, model_.scaling.high);
@@ -105,14 +105,39 @@ TEST_F(ModelFile, ReadsWhatItWrote) {
     EXPECT_EQ(read.probability(std::vector{value, 3.0}), model_.probability(std::vector{value, 3.0}));
 }
 
+TEST_F(ModelFile, HoldsAModelForEachLevel) {
+  Model other = model_;
+  other.names = {"r_md", "r_cs"};
+  write_models(file_, {model_, other});
+  const ExpectedModel structural{classifier_, "first_value", names};
+  EXPECT_FALSE(read_models(file_, structural, {}).assembly);
+  const ExpectedModel assembly{classifier_, "first_value", other.names};
+  EXPECT_EQ(read_models(file_, structural, assembly).assembly.value().names, other.names);
+  try {
+    read_models(file_, structural, structural);
+    FAIL();
+  } catch (const ModelError& error) {
+    EXPECT_NE(std::string(error.what()).find("assembly level: was trained on the relation values r_md, r_cs"),
+              std::string::npos)
+        << error.what();
+  }
+  write_models(file_, {model_, {}});
+  try {
+    read_models(file_, structural, assembly);
+    FAIL();
+  } catch (const ModelError& error) {
+    EXPECT_NE(std::string(error.what()).find("has no model of the assembly level"), std::string::npos) << error.what();
+  }
+}
+
 TEST_F(ModelFile, WritesASceneNameThatIsNoUtf8) {
   model_.training.scenes = {"caf\xe9"};
-  write_model(file_, model_);
+  write_models(file_, {model_, {}});
   EXPECT_EQ(complaint(), "");
 }
 
 TEST_F(ModelFile, TellsWhichValuesTheConfigAndTheModelLack) {
-  write_model(file_, model_);
+  write_models(file_, {model_, {}});
   const std::string text = complaint({"r_co", "r_ga"});
   EXPECT_NE(text.find(file_.string()), std::string::npos) << text;
   EXPECT_NE(text.find("the config lacks r_rs"), std::string::npos) << text;
@@ -122,12 +147,12 @@ TEST_F(ModelFile, TellsWhichValuesTheConfigAndTheModelLack) {
 }
 
 TEST_F(ModelFile, TellsThatTheOrderDiffers) {
-  write_model(file_, model_);
+  write_models(file_, {model_, {}});
   EXPECT_NE(complaint({"r_rs", "r_co"}).find("the order differs: the config has r_rs, r_co"), std::string::npos);
 }
 
 TEST_F(ModelFile, TellsThatAnotherClassifierMadeIt) {
-  write_model(file_, model_);
+  write_models(file_, {model_, {}});
   const std::string text = complaint(names, "svm");
   EXPECT_NE(text.find("'first_value'"), std::string::npos) << text;
   EXPECT_NE(text.find("'svm'"), std::string::npos) << text;
@@ -143,7 +168,7 @@ TEST_F(ModelFile, GivesThePlaceWhereItIsNoJson) {
 }
 
 TEST_F(ModelFile, RefusesEveryTruncation) {
-  write_model(file_, model_);
+  write_models(file_, {model_, {}});
   std::string text((std::istreambuf_iterator<char>(std::ifstream(file_).rdbuf())), {});
   while (text.back() != '}') text.pop_back();
   while (!text.empty()) {
@@ -163,30 +188,36 @@ TEST_F(ModelFile, RefusesOtherFormatsAndVersions) {
 }
 
 TEST_F(ModelFile, RefusesDamagedFields) {
-  write_model(file_, model_);
+  write_models(file_, {model_, {}});
   const json good = json::parse(std::ifstream(file_));
-  for (const auto& [key, value] : good.items()) {
-    json damaged = good;
-    damaged[key] = nullptr;
-    write(damaged.dump());
-    EXPECT_NE(complaint(), "") << key;
-    damaged.erase(key);
-    write(damaged.dump());
-    EXPECT_NE(complaint(), "") << key;
-  }
-  json damaged = good;
+  const auto refuses_without = [&](const json::json_pointer& parent) {
+    for (const auto& [key, value] : good.at(parent).items()) {
+      json damaged = good;
+      damaged[parent][key] = nullptr;
+      write(damaged.dump());
+      EXPECT_NE(complaint(), "") << key;
+      damaged[parent].erase(key);
+      write(damaged.dump());
+      EXPECT_NE(complaint(), "") << key;
+    }
+  };
+  refuses_without(json::json_pointer(""));
+  refuses_without(json::json_pointer("/levels"));
+  refuses_without(json::json_pointer("/levels/structural"));
+  json document = good;
+  json& damaged = document["levels"]["structural"];
   damaged["scaling"]["low"] = {1};
-  write(damaged.dump());
+  write(document.dump());
   EXPECT_NE(complaint().find("'scaling'"), std::string::npos);
   damaged["scaling"]["low"] = {40, 3};
-  write(damaged.dump());
+  write(document.dump());
   EXPECT_NE(complaint().find("low above its high"), std::string::npos);
 }
 
 TEST_F(ModelFile, WhatTheClassifierThrowsIsToldWithTheFile) {
-  write_model(file_, model_);
+  write_models(file_, {model_, {}});
   json damaged = json::parse(std::ifstream(file_));
-  damaged["state"] = {{"wait", 1}};
+  damaged["levels"]["structural"]["state"] = {{"wait", 1}};
   write(damaged.dump());
   EXPECT_NE(complaint().find(file_.string() + ": is damaged: the state of its classifier"), std::string::npos);
 }

@@ -44,29 +44,63 @@ test::KnownScene row() {
                        {{140, 100, 20, 20}, {0, 0, 1.5f}, {0, 0, -1}}});
 }
 
-TEST(RelationTable, HoldsNeighboursIn3DOnly) {
-  const auto known = row();
+RelationTable relate_all(const test::KnownScene& known, const std::vector<SurfacePair>& pairs,
+                         const std::vector<NamedRelation>& relations) {
   const Scene scene(known.frame, known.patches, known.surfaces);
-  const RelationTable table = relate_neighbours(scene, {numbered("x"), numbered("y", 7)}, 1);
+  return relate(pairs, relations, Measures(scene, relations));
+}
+
+TEST(RelationTable, HoldsTheValuesOfAllRelations) {
+  const auto known = row();
+  const RelationTable table = relate_all(known, neighbour_pairs(known.surfaces, 1), {numbered("x"), numbered("y", 7)});
   EXPECT_EQ(table.names, (std::vector<std::string>{"r_x", "r_y"}));
   ASSERT_EQ(table.pairs.size(), 1u);
   EXPECT_EQ(table.row(0)[0], 100);
   EXPECT_EQ(table.row(0)[1], 7);
 }
 
-TEST(RelationTable, LeavesSmallPatchesOut) {
+TEST(RelationTable, ARelationOfBothLevelsIsBoundOnce) {
   const auto known = row();
   const Scene scene(known.frame, known.patches, known.surfaces);
-  EXPECT_EQ(relate_neighbours(scene, {numbered("x")}, 400).pairs.size(), 1u);
-  EXPECT_TRUE(relate_neighbours(scene, {numbered("x")}, 401).pairs.empty());
+  const NamedRelation shared = numbered("x");
+  const Measures measures(scene, {shared, numbered("y"), shared});
+  EXPECT_EQ(&measures.of(*shared.relation), &measures.of(*shared.relation));
+  EXPECT_EQ(relate(non_neighbour_pairs(known.surfaces, 1), {shared}, measures).row(0)[0], 200);
+}
+
+TEST(Pairs, OfTheStructuralLevelAreNeighboursIn3D) {
+  const auto known = row();
+  const auto pairs = neighbour_pairs(known.surfaces, 1);
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(pairs[0].a, 0);
+  EXPECT_EQ(pairs[0].b, 1);
+  EXPECT_FALSE(pairs[0].border->border_3d.empty());
+}
+
+TEST(Pairs, OfTheAssemblyLevelAreAllOthers) {
+  const auto known = row();
+  const auto pairs = non_neighbour_pairs(known.surfaces, 1);
+  ASSERT_EQ(pairs.size(), 2u);
+  EXPECT_EQ(std::pair(pairs[0].a, pairs[0].b), std::pair(0, 2));
+  EXPECT_EQ(pairs[0].border, nullptr);
+  EXPECT_EQ(std::pair(pairs[1].a, pairs[1].b), std::pair(1, 2));
+  ASSERT_NE(pairs[1].border, nullptr) << "they touch in the image";
+  EXPECT_TRUE(pairs[1].border->border_3d.empty());
+}
+
+TEST(Pairs, AreOfPatchesThatAreLargeEnough) {
+  const auto known = row();
+  EXPECT_EQ(neighbour_pairs(known.surfaces, 400).size(), 1u);
+  EXPECT_TRUE(neighbour_pairs(known.surfaces, 401).empty());
+  EXPECT_EQ(non_neighbour_pairs(known.surfaces, 400).size(), 2u);
+  EXPECT_TRUE(non_neighbour_pairs(known.surfaces, 401).empty());
 }
 
 TEST(RelationTable, NamesTheRelationThatBreaksItsPromise) {
   const auto known = row();
-  const Scene scene(known.frame, known.patches, known.surfaces);
   for (const double wrong : {std::nan(""), HUGE_VAL, 1001.0, -0.5}) {
     try {
-      relate_neighbours(scene, {numbered("x"), numbered("wrong", wrong)}, 1);
+      relate_all(known, neighbour_pairs(known.surfaces, 1), {numbered("x"), numbered("wrong", wrong)});
       FAIL() << wrong;
     } catch (const PluginError& error) {
       EXPECT_NE(std::string(error.what()).find("'wrong'"), std::string::npos) << error.what();
@@ -85,14 +119,12 @@ TEST(RelationTable, TellsTwoUsesOfOnePluginApart) {
 }
 
 TEST(LearningSet, LabelsPairsByTheMajorityObject) {
-  Percept percept;
   const auto known = test::render({{{0, 0, 10, 10}, {0, 0, 1}, {0, 0, -1}},
                                    {{10, 0, 10, 10}, {0, 0, 1}, {0, 0, -1}},
                                    {{20, 0, 10, 10}, {0, 0, 1}, {0, 0, -1}},
                                    {{30, 0, 10, 10}, {0, 0, 1}, {0, 0, -1}},
                                    {{40, 0, 10, 10}, {0, 0, 1}, {0, 0, -1}}},
                                   test::kinect(64, 48));
-  percept.surfaces = known.surfaces;
   // Patches: object 1 (part 20), object 1 (part 21), object 2, background, no ground truth.
   cv::Mat_<std::uint16_t> truth(48, 64, std::uint16_t{0});
   truth(cv::Rect(0, 0, 10, 10)) = 20;
@@ -100,26 +132,25 @@ TEST(LearningSet, LabelsPairsByTheMajorityObject) {
   truth(cv::Rect(10, 0, 10, 10)) = 21;
   truth(cv::Rect(20, 0, 10, 10)) = 30;
   truth(cv::Rect(30, 0, 10, 10)) = 2;
-  EXPECT_EQ(surface_objects(percept.surfaces, truth), (std::vector<int>{2, 2, 3, 1, 0}));
+  EXPECT_EQ(surface_objects(known.surfaces, truth), (std::vector<int>{2, 2, 3, 1, 0}));
 
-  percept.relations = {{"r_x"}, {{0, 1}, {0, 2}, {0, 3}, {1, 4}, {3, 4}}, {1, 2, 3, 4, 5}};
-  Samples samples;
-  append_pairs(percept, truth, samples);
+  const RelationTable table{{"r_x"}, {{0, 1}, {0, 2}, {0, 3}, {1, 4}, {3, 4}}, {1, 2, 3, 4, 5}};
+  const Samples samples = labelled_pairs(table, surface_objects(known.surfaces, truth));
   EXPECT_EQ(samples.positive, (std::vector<std::uint8_t>{1, 0, 0}));
   EXPECT_EQ(samples.values, (std::vector<double>{1, 2, 3}));
 }
 
 TEST(LearningSet, LeavesOutPairsOfTwoBackgroundPatches) {
-  Percept percept;
-  const auto known = test::render({{{0, 0, 10, 10}, {0, 0, 1}, {0, 0, -1}}, {{10, 0, 10, 10}, {0, 0, 1}, {0, 0, -1}}},
-                                  test::kinect(64, 48));
-  percept.surfaces = known.surfaces;
-  percept.relations = {{"r_x"}, {{0, 1}}, {1}};
-  cv::Mat_<std::uint16_t> truth(48, 64, std::uint16_t{1});
-  truth(cv::Rect(10, 0, 10, 10)) = 2;
-  Samples samples;
-  append_pairs(percept, truth, samples);
-  EXPECT_EQ(samples.rows(), 0u);
+  EXPECT_EQ(labelled_pairs({{"r_x"}, {{0, 1}}, {1}}, {1, 1}).rows(), 0u);
+}
+
+TEST(LearningSet, TheAssemblyLevelLearnsFromPairsThatTheStructuralLevelLeavesApart) {
+  LearningScene scene;
+  scene.percept.assembly = {{"r_x"}, {{0, 1}, {0, 2}, {1, 2}}, {1, 2, 3}};
+  scene.objects = {2, 2, 3};
+  const Samples samples = assembly_pairs(scene, {0, 0, 1});
+  EXPECT_EQ(samples.values, (std::vector<double>{2, 3}));
+  EXPECT_EQ(samples.positive, (std::vector<std::uint8_t>{0, 0}));
 }
 
 TEST(LearningSet, RefusesGroundTruthOfAnotherSize) {

@@ -226,7 +226,7 @@ TEST_F(BadInput, AMissingPlugin) {
                                        "plugin_directories: [own]\n"
                                        "signal: {clusterer: norm_als}\n"
                                        "primitive: {fitters: [plane]}\n"
-                                       "structural: {relations: [relative_size], classifier: svm, model: none}\n"
+                                       "structural: {relations: [relative_size], classifier: svm}\n"
                                        "decision: {solver: graph_cut}\n");
   refuse(scene, 2, {"own.yaml:3:21", "norm_als", "did you mean 'normals'?"}, {"--config", config});
 }
@@ -241,7 +241,7 @@ TEST_F(BadInput, APluginForAnotherInterface) {
                                            "]\n"
                                            "signal: {clusterer: normals}\n"
                                            "primitive: {fitters: [plane]}\n"
-                                           "structural: {relations: [relative_size], classifier: svm, model: none}\n"
+                                           "structural: {relations: [relative_size], classifier: svm}\n"
                                            "decision: {solver: one_group}\n");
   refuse(scene, 2, {"old.yaml:6:20", "one_group", library.string(), "interface 0"}, {"--config", config});
   const Outcome list = run_gestalt({"plugins", "list", "--config", config});
@@ -250,14 +250,12 @@ TEST_F(BadInput, APluginForAnotherInterface) {
 }
 
 TEST_F(BadInput, ModelsThatCannotBeUsed) {
-  const auto with = [](const fs::path& model) {
-    return std::vector<std::string>{"--set", "structural.model=" + model.string()};
-  };
+  const auto with = [](const fs::path& model) { return std::vector<std::string>{"--set", "model=" + model.string()}; };
   refuse(scene, 2, {"none.json", "gestalt train"}, with(folder.path() / "none.json"));
   refuse(scene, 2, {"noise.json:1:1: ", "no model"}, with(folder.write("noise.json", "\x01\x02\x03")));
   refuse(scene, 2, {"empty.json"}, with(folder.write("empty.json", "")));
   refuse(scene, 2, {"other.json", "no model"}, with(folder.write("other.json", "{\"format\": \"other\"}")));
-  refuse(scene, 2, {"structural.model"}, {"--set", "structural.model=none"});
+  refuse(scene, 2, {"names no model"}, {"--set", "model=none"});
   const fs::path model = folder.path() / "cut.json";
   expect_success(run_gestalt({"train", synthetic_scenes(), "--output", model}));
   truncate(model, 0.5);

@@ -255,7 +255,7 @@ TEST_F(Segment, ColourIsNotNeededByAConfigWithoutColourRelations) {
                                        "structural:\n"
                                        "  relations: [relative_size, border_curvature, border_depth]\n"
                                        "  classifier: svm\n"
-                                       "  model: shape.json\n"
+                                       "model: shape.json\n"
                                        "decision: {solver: graph_cut}\n");
   expect_refused(segment({scene, "--config", config}), 2, {"shape.json", "gestalt train"});
   expect_success(run_gestalt({"train", scenes, "--config", config, "--output", folder.path() / "shape.json"}));

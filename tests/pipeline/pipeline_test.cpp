@@ -42,9 +42,9 @@ struct Outcome {
   nlohmann::json json;
 };
 
-Outcome run(const Pipeline& pipeline, const Model& model, const Frame& frame) {
+Outcome run(const Pipeline& pipeline, const Models& models, const Frame& frame) {
   const Percept percept = pipeline.perceive(frame);
-  const Segmentation segmentation = pipeline.decide(percept, model);
+  const Segmentation segmentation = pipeline.decide(percept, models);
   Input input;
   input.frame = frame;
   return {segmentation.labels, result_json(input, percept, segmentation, {}, {})};
@@ -57,11 +57,11 @@ void expect_equal(const Outcome& x, const Outcome& y) {
 
 TEST(DefaultPipeline, SeparatesStandingBoxesFromTheTable) {
   const DefaultPipeline gestalt;
-  const Model model = gestalt.pipeline.load_model();
+  const Models models = gestalt.pipeline.load_models();
   std::vector<ImageScore> scores;
   for (int i = 0; i < 4; ++i) {
     const SyntheticScene boxes = scene(Category::boxes, i);
-    const Segmentation segmentation = gestalt.pipeline.decide(gestalt.pipeline.perceive(boxes.frame), model);
+    const Segmentation segmentation = gestalt.pipeline.decide(gestalt.pipeline.perceive(boxes.frame), models);
     scores.push_back(score_image(boxes.ground_truth, segmentation.labels, RegionKind::objects));
   }
   const ScoreRow all = summarise(scores, std::vector<std::string>(scores.size())).back();
@@ -72,7 +72,7 @@ TEST(DefaultPipeline, SeparatesStandingBoxesFromTheTable) {
 TEST(DefaultPipeline, NumbersSegmentsBySizeWithoutGaps) {
   const DefaultPipeline gestalt;
   const Segmentation s = gestalt.pipeline.decide(gestalt.pipeline.perceive(scene(Category::mixed_objects).frame),
-                                                 gestalt.pipeline.load_model());
+                                                 gestalt.pipeline.load_models());
   ASSERT_FALSE(s.segments.empty());
   for (std::size_t i = 0; i < s.segments.size(); ++i) {
     EXPECT_EQ(cv::countNonZero(s.labels == int(i + 1)), s.segments[i].pixel_count);
@@ -82,13 +82,13 @@ TEST(DefaultPipeline, NumbersSegmentsBySizeWithoutGaps) {
 
 TEST(DefaultPipeline, GivesTheSameForAnyNumberOfThreads) {
   const DefaultPipeline gestalt;
-  const Model model = gestalt.pipeline.load_model();
+  const Models models = gestalt.pipeline.load_models();
   for (const Category category : {Category::cylindric_objects, Category::complex_scene}) {
     const Frame frame = scene(category).frame;
     std::vector<Outcome> outcomes;
     for (const std::size_t threads : {1, 8, 8}) {
       const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, threads);
-      outcomes.push_back(run(gestalt.pipeline, model, frame));
+      outcomes.push_back(run(gestalt.pipeline, models, frame));
     }
     expect_equal(outcomes[0], outcomes[1]);
     expect_equal(outcomes[0], outcomes[2]);
@@ -97,12 +97,12 @@ TEST(DefaultPipeline, GivesTheSameForAnyNumberOfThreads) {
 
 TEST(DefaultPipeline, MayBeUsedFromManyThreadsAtOnce) {
   const DefaultPipeline gestalt;
-  const Model model = gestalt.pipeline.load_model();
+  const Models models = gestalt.pipeline.load_models();
   const Frame frame = scene(Category::mixed_objects).frame;
-  const Outcome alone = run(gestalt.pipeline, model, frame);
+  const Outcome alone = run(gestalt.pipeline, models, frame);
   std::vector<std::future<Outcome>> together;
   for (int i = 0; i < 4; ++i)
-    together.push_back(std::async(std::launch::async, [&] { return run(gestalt.pipeline, model, frame); }));
+    together.push_back(std::async(std::launch::async, [&] { return run(gestalt.pipeline, models, frame); }));
   for (auto& outcome : together) expect_equal(alone, outcome.get());
 }
 
@@ -111,20 +111,20 @@ TEST(DefaultPipeline, FindsNoPairOnASinglePlane) {
   const auto wall = test::render({{{0, 0, 640, 480}, {0, 0, 1}, {0, 0, -1}}});
   const Percept percept = gestalt.pipeline.perceive(wall.frame);
   EXPECT_EQ(percept.surfaces.surfaces.size(), 1u);
-  EXPECT_TRUE(percept.relations.pairs.empty());
-  const Segmentation segmentation = gestalt.pipeline.decide(percept, gestalt.pipeline.load_model());
+  EXPECT_TRUE(percept.structural.pairs.empty());
+  const Segmentation segmentation = gestalt.pipeline.decide(percept, gestalt.pipeline.load_models());
   EXPECT_EQ(segmentation.segments.size(), 1u);
   EXPECT_EQ(segmentation.segments[0].pixel_count, 640 * 480);
 }
 
 TEST(DefaultPipeline, WorksOnAnyImageSize) {
   const DefaultPipeline gestalt;
-  const Model model = gestalt.pipeline.load_model();
+  const Models models = gestalt.pipeline.load_models();
   for (const cv::Size size : {cv::Size(1, 1), cv::Size(1, 40), cv::Size(37, 3), cv::Size(1280, 960)}) {
     const auto frame =
         test::render({{{0, 0, size.width, size.height}, {0, 0, 1}, {0, 0, -1}}}, test::kinect(size.width, size.height))
             .frame;
-    const Outcome outcome = run(gestalt.pipeline, model, frame);
+    const Outcome outcome = run(gestalt.pipeline, models, frame);
     EXPECT_EQ(outcome.labels.size(), size);
     EXPECT_EQ(cv::countNonZero(outcome.labels), size.area() > 1 ? size.area() : 0);  // one pixel is a speck
   }
@@ -143,26 +143,30 @@ TEST(DefaultPipeline, RefusesAFrameWithoutColourWhenARelationNeedsIt) {
   const DefaultPipeline colourless({"structural.relations.colour_histogram=off",
                                     "structural.relations.texture_quantity=off", "structural.relations.gabor=off",
                                     "structural.relations.fourier=off", "structural.relations.border_colour=off"});
-  EXPECT_GT(colourless.pipeline.perceive(frame).relations.pairs.size(), 0u);
-  EXPECT_THROW(colourless.pipeline.load_model(), ModelError);
+  EXPECT_GT(colourless.pipeline.perceive(frame).structural.pairs.size(), 0u);
+  EXPECT_THROW(colourless.pipeline.load_models(), ModelError);
 }
 
 TEST(LearnSet, TrainsTheModelThatIsShipped) {
   const std::filesystem::path folder = std::filesystem::path(GESTALT_SHARED_DATA) / "osd" / "learn";
   if (!std::filesystem::is_directory(folder)) GTEST_SKIP() << "the learn set is not at " << folder;
   const DefaultPipeline gestalt;
-  Samples samples;
+  std::vector<LearningScene> scenes;
   for (const auto& path : find_scenes({folder})) {
     const Input input = read_scene(path);
-    append_pairs(gestalt.pipeline.perceive(input.frame), input.ground_truth, samples);
+    scenes.push_back(make_learning_scene(gestalt.pipeline, input.frame, input.ground_truth));
   }
-  const Model shipped = gestalt.pipeline.load_model();
-  EXPECT_EQ(shipped.training.scenes.size(), 45u);
-  EXPECT_EQ(shipped.training.positive_pairs + shipped.training.negative_pairs, samples.rows());
-  const Model fresh =
-      train_model(gestalt.pipeline.classifier(), "svm", gestalt.pipeline.value_names(), samples, {}, "");
-  for (std::size_t i = 0; i < samples.rows(); ++i)
-    EXPECT_NEAR(fresh.probability(samples.row(i)), shipped.probability(samples.row(i)), 1e-6);
+  std::vector<const LearningScene*> all;
+  for (const LearningScene& scene : scenes) all.push_back(&scene);
+  const Models shipped = gestalt.pipeline.load_models(), fresh = learn(gestalt.pipeline, all);
+  EXPECT_EQ(shipped.structural.training.scenes.size(), 45u);
+  EXPECT_EQ(shipped.structural.training.positive_pairs, fresh.structural.training.positive_pairs);
+  EXPECT_EQ(shipped.structural.training.negative_pairs, fresh.structural.training.negative_pairs);
+  for (const LearningScene& scene : scenes)
+    for (std::size_t i = 0; i < scene.percept.structural.pairs.size(); ++i) {
+      const auto row = scene.percept.structural.row(i);
+      EXPECT_NEAR(fresh.structural.probability(row), shipped.structural.probability(row), 1e-6);
+    }
 }
 
 }  // namespace

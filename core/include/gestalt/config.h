@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <string>
 #include <vector>
 
+#include "gestalt/graph.h"
 #include "gestalt/parameters.h"
 #include "gestalt/registry.h"
 
@@ -21,16 +23,24 @@ struct ComponentConfig {
   ParameterValues params;  ///< complete: defaults filled in
 };
 
+/// How one level groups: sections `structural` and `assembly`.
+struct LevelConfig {
+  std::vector<ComponentConfig> relations;  ///< not empty
+  ComponentConfig classifier;
+  int minimum_size = 0;  ///< pixels; smaller patches have no relations at this level
+};
+
 /// A resolved, validated config.
 struct Config {
-  ComponentConfig clusterer;               ///< signal.clusterer
-  std::vector<ComponentConfig> fitters;    ///< primitive.fitters, not empty
-  ParameterValues surface_modelling;       ///< primitive.model_selection
-  std::vector<ComponentConfig> relations;  ///< structural.relations, not empty
-  ComponentConfig classifier;              ///< structural.classifier
-  std::filesystem::path model;             ///< structural.model, resolved; empty when the config names none
-  int minimum_size = 30;                   ///< structural.minimum_size, pixels
-  ComponentConfig solver;                  ///< decision.solver
+  bool with_assembly = false;            ///< levels: structural+assembly
+  std::filesystem::path model;           ///< resolved; empty when the config names none
+  ParameterValues sensor;                ///< of SensorParams
+  ComponentConfig clusterer;             ///< signal.clusterer
+  std::vector<ComponentConfig> fitters;  ///< primitive.fitters, not empty
+  ParameterValues surface_modelling;     ///< primitive.model_selection
+  LevelConfig structural;
+  std::optional<LevelConfig> assembly;  ///< where the config has this section; never absent when with_assembly
+  ComponentConfig solver;               ///< decision.solver
 };
 
 /// A config file with everything it extends and the command line's overrides merged (docs/config.md tells how), before
@@ -69,8 +79,8 @@ class GESTALT_EXPORT ConfigTree {
 /// configs/paper.yaml of this installation or build tree. Throws ConfigError when it is not there.
 GESTALT_EXPORT std::filesystem::path default_config();
 
-/// Hexadecimal hash (FNV-1a, 64 bits) of everything in the config that changes relation values: two configs with equal
-/// hashes can share a model.
-GESTALT_EXPORT std::string config_hash(const Config& config);
+/// Hexadecimal hash (FNV-1a, 64 bits) of everything in the config, but the sensor, that changes the relation values of
+/// a level: two configs with equal hashes can share its model. Throws ConfigError when the config has no such level.
+GESTALT_EXPORT std::string config_hash(const Config& config, Level level);
 
 }  // namespace gestalt

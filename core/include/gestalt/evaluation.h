@@ -120,17 +120,36 @@ struct GESTALT_EXPORT PairDecisions {
   std::int64_t true_negative = 0;
   std::int64_t false_negative = 0;
 
-  void count(bool positive, bool decided_positive);
+  /// A reliability diagram: the pairs by their probability, in bins of equal width.
+  struct Bin {
+    std::int64_t pairs = 0;
+    std::int64_t positive = 0;
+    double probability = 0;  ///< sum over the pairs
+  };
+  std::array<Bin, 10> bins;
+  double squared_error = 0;  ///< sum of (p - positive)^2
+
+  /// probability: p(same) in [0, 1]; from 1/2 on the pair is decided to be positive.
+  void count(bool positive, double probability);
+
+  std::int64_t pairs() const { return true_positive + false_positive + true_negative + false_negative; }
+
+  /// Mean of (p - positive)^2; not a number without pairs.
+  double brier_score() const;
+
+  /// Mean difference of a bin's mean probability and its share of positive pairs, weighted by its pairs; not a number
+  /// without pairs.
+  double calibration_error() const;
 
   /// 1/2 (fp / (tn + fp) + fn / (tp + fn)); not a number without pairs of both kinds. (Paper, Eq. 13, with the
   /// denominators that its text asks for.)
   double balanced_error() const;
 };
 
-/// The counts and the balanced error as a few lines of text.
-GESTALT_EXPORT std::string format_pairs(const PairDecisions& pairs);
+/// The counts, the balanced error and the calibration as a few lines of text. level: for the title.
+GESTALT_EXPORT std::string format_pairs(const PairDecisions& pairs, const std::string& level);
 
-/// {"true_positive": ..., "balanced_error": ...}
+/// {"true_positive": ..., "balanced_error": ..., "reliability": [{"pairs": ...}, ...]}
 GESTALT_EXPORT nlohmann::ordered_json to_json(const PairDecisions& pairs);
 
 }  // namespace gestalt

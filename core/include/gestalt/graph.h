@@ -9,6 +9,9 @@ namespace gestalt {
 
 enum class Level : std::uint8_t { structural, assembly };
 
+/// "structural" or "assembly": the level's section in a config.
+inline const char* name_of(Level level) { return level == Level::structural ? "structural" : "assembly"; }
+
 /// p(same object) of two surfaces, a < b.
 struct Edge {
   int a;

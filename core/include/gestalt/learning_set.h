@@ -19,9 +19,29 @@ inline int object_of_label(int label) { return label < 10 ? (label > 0 ? 1 : 0) 
 GESTALT_EXPORT std::vector<int> surface_objects(const SurfaceSet& surfaces,
                                                 const cv::Mat_<std::uint16_t>& ground_truth);
 
-/// Appends the labelled pairs of one scene (paper, Section 5): positive when both surfaces belong to one object,
-/// negative when to two, or to an object and background. Pairs of two background surfaces, or with a surface without
-/// ground truth, are no samples.
-GESTALT_EXPORT void append_pairs(const Percept& percept, const cv::Mat_<std::uint16_t>& ground_truth, Samples& samples);
+/// The labelled pairs of a table (paper, Section 5): positive when both surfaces belong to one object, negative when to
+/// two, or to an object and background. Pairs of two background surfaces, or with a surface without ground truth, are
+/// no samples. objects: of each surface, as surface_objects() gives them.
+GESTALT_EXPORT Samples labelled_pairs(const RelationTable& table, const std::vector<int>& objects);
+
+/// What learning keeps of a scene with ground truth.
+struct LearningScene {
+  std::string name;
+  Percept percept;
+  std::vector<int> objects;  ///< of each surface
+};
+
+/// Throws InputError when the ground truth is of another size than the frame.
+GESTALT_EXPORT LearningScene make_learning_scene(const Pipeline& pipeline, const Frame& frame,
+                                                 const cv::Mat_<std::uint16_t>& ground_truth);
+
+/// The samples of the assembly level: labelled pairs of different groups of the structural level alone (paper,
+/// Section 6).
+GESTALT_EXPORT Samples assembly_pairs(const LearningScene& scene, const std::vector<int>& structural_groups);
+
+/// Trains the levels of the pipeline's config on scenes that it has perceived: first the structural level, then, on the
+/// pairs that this leaves apart, the assembly level. Deterministic for equal scenes in equal order. Throws ModelError
+/// when a level has no pairs of both classes.
+GESTALT_EXPORT Models learn(const Pipeline& pipeline, const std::vector<const LearningScene*>& scenes);
 
 }  // namespace gestalt

@@ -5,11 +5,13 @@
 #include <filesystem>
 #include <memory>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <span>
 #include <string>
 #include <vector>
 
 #include "gestalt/classifier.h"
+#include "gestalt/graph.h"
 
 namespace gestalt {
 
@@ -49,12 +51,26 @@ GESTALT_EXPORT Model train_model(const Classifier& classifier, std::string class
                                  std::vector<std::string> names, const Samples& samples, TrainingData training,
                                  std::string config_hash);
 
-/// Writes JSON under a temporary name, then renames. Throws OutputError.
-GESTALT_EXPORT void write_model(const std::filesystem::path& file, const Model& model);
+/// The models of a config's levels: a model file.
+struct Models {
+  Model structural;
+  std::optional<Model> assembly;  ///< absent when only the structural level was trained
+};
 
-/// Reads a model for a config. Throws ModelError, naming the file and the remedy, when the file is no model, was made
-/// by another classifier plugin, or has other relation values than names (the difference is named).
-GESTALT_EXPORT Model read_model(const std::filesystem::path& file, const Classifier& classifier,
-                                const std::string& classifier_name, const std::vector<std::string>& names);
+/// Writes JSON under a temporary name, then renames. Throws OutputError.
+GESTALT_EXPORT void write_models(const std::filesystem::path& file, const Models& models);
+
+/// What a config expects of the model of a level.
+struct ExpectedModel {
+  const Classifier& classifier;
+  std::string classifier_name;     ///< plugin
+  std::vector<std::string> names;  ///< relation values in order
+};
+
+/// Reads the models for a config; the assembly level only when it is expected. Throws ModelError, naming the file and
+/// the remedy, when the file is no model, lacks a level, was made by another classifier plugin, or has other relation
+/// values (the difference is named).
+GESTALT_EXPORT Models read_models(const std::filesystem::path& file, const ExpectedModel& structural,
+                                  const std::optional<ExpectedModel>& assembly);
 
 }  // namespace gestalt

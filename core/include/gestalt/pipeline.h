@@ -3,6 +3,7 @@
 #pragma once
 
 #include <memory>
+#include <optional>
 #include <string>
 #include <vector>
 
@@ -21,17 +22,19 @@ namespace gestalt {
 struct LevelTimes {
   double signal = 0;
   double primitive = 0;
-  double structural = 0;  ///< relations and classification
+  double structural = 0;  ///< what is bound to the scene for either level, relations and classification
+  double assembly = 0;    ///< relations and classification
   double decision = 0;
 
-  double total() const { return signal + primitive + structural + decision; }
+  double total() const { return signal + primitive + structural + assembly + decision; }
 };
 
 /// Everything that is computed of a frame before a trained model is needed.
 struct Percept {
   PatchMap patches;
   SurfaceSet surfaces;
-  RelationTable relations;
+  RelationTable structural;  ///< 3D neighbours
+  RelationTable assembly;    ///< all other pairs; empty without the assembly level
   LevelTimes times;
 };
 
@@ -43,28 +46,43 @@ class GESTALT_EXPORT Pipeline {
   Pipeline(Config config, const Registry& registry);
 
   const Config& config() const { return config_; }
-  const std::vector<std::string>& value_names() const { return value_names_; }
-  const Classifier& classifier() const { return *classifier_; }
+
+  /// What a model of a level must be like. Throws ConfigError when the config does without the level.
+  ExpectedModel expected_model(Level level) const;
 
   /// Reads the config's model. Throws ModelError when the config names none, or it does not fit.
-  Model load_model() const;
+  Models load_models() const;
 
-  /// Signal, primitive and structural level. Throws InputError when a relation needs colour and the frame has none.
+  /// Signal and primitive level, and the relations of all levels. Throws InputError when a relation needs colour and
+  /// the frame has none.
   Percept perceive(const Frame& frame) const;
 
-  /// Classification of the pairs and the global decision. model must be for value_names(), as load_model() ensures. The
-  /// time spent is added to times.
-  Segmentation decide(const Percept& percept, const Model& model, LevelTimes* times = nullptr) const;
+  /// Group of each surface by the structural level alone, numbered from 0. model must be as expected_model() says.
+  std::vector<int> structural_groups(const Percept& percept, const Model& model) const;
+
+  /// Classification of the pairs and the global decision. At the assembly level only pairs of different structural
+  /// groups count. models must be as expected_model() says, as load_models() ensures. The time spent is added to times.
+  Segmentation decide(const Percept& percept, const Models& models, LevelTimes* times = nullptr) const;
 
  private:
   Config config_;
   std::shared_ptr<const Clusterer> clusterer_;
   std::vector<std::shared_ptr<const Fitter>> fitters_;
   SurfaceModellingParams surface_modelling_;
-  std::vector<NamedRelation> relations_;
-  std::shared_ptr<const Classifier> classifier_;
+  struct Grouping {
+    std::vector<NamedRelation> relations;
+    std::shared_ptr<const Classifier> classifier;
+    std::vector<std::string> value_names;
+    int minimum_size;
+  };
+  using Known = std::vector<std::pair<ComponentConfig, NamedRelation>>;
+  static Grouping make_grouping(const LevelConfig& config, const Registry& registry, Known& known);
+
+  DepthNoise noise_;
+  std::vector<NamedRelation> relations_;  // of all levels, each once
+  Grouping structural_;
+  std::optional<Grouping> assembly_;
   std::shared_ptr<const Solver> solver_;
-  std::vector<std::string> value_names_;
 };
 
 }  // namespace gestalt

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <map>
 #include <memory>
 #include <span>
 #include <string>
@@ -35,9 +36,28 @@ struct NamedRelation {
 /// ConfigError when two give a value of the same name.
 GESTALT_EXPORT std::vector<std::string> value_names(const std::vector<NamedRelation>& relations);
 
-/// Structural level: the values of all relations for all pairs of 3D neighbours of which both have at least
-/// minimum_size pixels. Throws PluginError naming the relation when a value is not finite or out of its declared range.
-GESTALT_EXPORT RelationTable relate_neighbours(const Scene& scene, const std::vector<NamedRelation>& relations,
-                                               int minimum_size);
+/// Structural level: the pairs of 3D neighbours of which both have at least minimum_size pixels, sorted by (a, b).
+GESTALT_EXPORT std::vector<SurfacePair> neighbour_pairs(const SurfaceSet& surfaces, int minimum_size);
+
+/// Assembly level: all other pairs of surfaces of which both have at least minimum_size pixels, sorted by (a, b). Their
+/// border is null unless they touch in the image.
+GESTALT_EXPORT std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, int minimum_size);
+
+/// Relations bound to one scene, each once for whatever level asks for it.
+class GESTALT_EXPORT Measures {
+ public:
+  /// Binds the relations in parallel. The scene outlives this.
+  Measures(const Scene& scene, const std::vector<NamedRelation>& relations);
+
+  const Measure& of(const Relation& relation) const { return *measures_.at(&relation); }
+
+ private:
+  std::map<const Relation*, std::unique_ptr<Measure>> measures_;
+};
+
+/// The values of all relations for the pairs; measures must know them. Throws PluginError naming the relation when a
+/// value is not finite or out of its declared range.
+GESTALT_EXPORT RelationTable relate(const std::vector<SurfacePair>& pairs, const std::vector<NamedRelation>& relations,
+                                    const Measures& measures);
 
 }  // namespace gestalt
