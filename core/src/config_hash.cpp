@@ -1,14 +1,11 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <cstdint>
-
 #include "gestalt/config.h"
 #include "gestalt/error.h"
+#include "gestalt/hash.h"
 
 namespace gestalt {
-
-namespace {
 
 std::string canonical(const ParameterValues& values) {
   std::string text;
@@ -16,14 +13,10 @@ std::string canonical(const ParameterValues& values) {
   return text;
 }
 
-std::string canonical(const char* kind, const ComponentConfig& component) {
-  return std::string(kind) + " " + component.plugin + "\n" + canonical(component.params);
-}
+namespace {
 
-std::uint64_t fnv1a(const std::string& text) {
-  std::uint64_t hash = 0xcbf29ce484222325u;
-  for (const char c : text) hash = (hash ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
-  return hash;
+std::string component_text(const char* kind, const ComponentConfig& component) {
+  return std::string(kind) + " " + component.plugin + "\n" + canonical(component.params);
 }
 
 }  // namespace
@@ -32,17 +25,12 @@ std::string config_hash(const Config& config, Level level) {
   if (level == Level::assembly && !config.assembly)
     throw ConfigError("the config has no section assembly; add it, or set levels: structural");
   const LevelConfig& own = level == Level::structural ? config.structural : *config.assembly;
-  std::string text = canonical("clusterer", config.clusterer);
-  for (const ComponentConfig& fitter : config.fitters) text += canonical("fitter", fitter);
+  std::string text = component_text("clusterer", config.clusterer);
+  for (const ComponentConfig& fitter : config.fitters) text += component_text("fitter", fitter);
   text += "model_selection\n" + canonical(config.surface_modelling);
-  for (const ComponentConfig& relation : own.relations) text += canonical("relation", relation);
+  for (const ComponentConfig& relation : own.relations) text += component_text("relation", relation);
   text += "minimum_size " + std::to_string(own.minimum_size) + "\n";
-
-  constexpr char digits[] = "0123456789abcdef";
-  const std::uint64_t hash = fnv1a(text);
-  std::string hexadecimal;
-  for (int shift = 60; shift >= 0; shift -= 4) hexadecimal += digits[(hash >> shift) & 15];
-  return hexadecimal;
+  return content_hash(text);
 }
 
 }  // namespace gestalt

@@ -63,13 +63,6 @@ Image read_of_size(const fs::path& file, Image (*read)(const fs::path&), cv::Siz
   return image;
 }
 
-int count_objects(const cv::Mat_<std::uint16_t>& label) {
-  std::set<int> objects;
-  for (const std::uint16_t value : label)
-    if (const int object = object_of_label(value); object > 1) objects.insert(object);
-  return int(objects.size());
-}
-
 }  // namespace
 
 std::vector<std::string> find_osd_scenes(const fs::path& release) {

@@ -79,6 +79,9 @@ class GESTALT_EXPORT ConfigTree {
 /// configs/paper.yaml of this installation or build tree. Throws ConfigError when it is not there.
 GESTALT_EXPORT std::filesystem::path default_config();
 
+/// A line "  name=value" for each parameter: equal texts for equal values.
+GESTALT_EXPORT std::string canonical(const ParameterValues& values);
+
 /// Hexadecimal hash (FNV-1a, 64 bits) of everything in the config, but the sensor, that changes the relation values of
 /// a level: two configs with equal hashes can share its model. Throws ConfigError when the config has no such level.
 GESTALT_EXPORT std::string config_hash(const Config& config, Level level);
