@@ -29,14 +29,20 @@ class Stopwatch {
 };
 
 /// Groups of surfaces as segments, largest first; equal sizes in order of their first surface.
-Segmentation assemble(const SurfaceSet& surfaces, Graph graph, const std::vector<int>& groups) {
+Segmentation assemble(const SurfaceSet& surfaces, const std::vector<Role>& roles, Graph graph,
+                      const std::vector<int>& groups) {
   const int count = groups.empty() ? 0 : 1 + *std::max_element(groups.begin(), groups.end());
   std::vector<Segment> segments{std::size_t(count)};
+  std::vector<int> background_pixels(segments.size(), 0);
   for (std::size_t s = 0; s < groups.size(); ++s) {
     Segment& segment = segments[std::size_t(groups[s])];
     segment.surfaces.push_back(int(s));
-    segment.pixel_count += int(surfaces.surfaces[s].pixels.size());
+    const int pixels = int(surfaces.surfaces[s].pixels.size());
+    segment.pixel_count += pixels;
+    if (roles[s] == Role::background) background_pixels[std::size_t(groups[s])] += pixels;
   }
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    segments[i].role = 2 * background_pixels[i] > segments[i].pixel_count ? Role::background : Role::object;
   std::stable_sort(segments.begin(), segments.end(),
                    [](const Segment& x, const Segment& y) { return x.pixel_count > y.pixel_count; });
   if (segments.size() > std::numeric_limits<std::uint16_t>::max())
@@ -122,6 +128,10 @@ Percept Pipeline::perceive(const Frame& given) const {
     const Stopwatch watch(percept.times.primitive);
     percept.surfaces = model_surfaces(frame, percept.patches, fitters_, surface_modelling_);
   }
+  {
+    const Stopwatch watch(percept.times.decision);
+    percept.roles = find_roles(frame, percept.surfaces, figure_ground_);
+  }
   std::optional<Measures> measures;
   const Scene scene(frame, percept.patches, percept.surfaces);
   {
@@ -191,7 +201,7 @@ Segmentation Pipeline::decide(const Percept& percept, const Models& models, Leve
     const Stopwatch watch(spent.decision);
     groups = solver_->solve(graph);
   }
-  return assemble(percept.surfaces, std::move(graph), groups);
+  return assemble(percept.surfaces, percept.roles, std::move(graph), groups);
 }
 
 }  // namespace gestalt

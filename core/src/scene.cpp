@@ -38,4 +38,9 @@ const std::vector<std::vector<Contour>>& Scene::contours() const {
   return contours_;
 }
 
+const std::vector<Outline>& Scene::outlines() const {
+  std::call_once(outlines_once_, [this] { outlines_ = find_outlines(frame_, surfaces_, contours()); });
+  return outlines_;
+}
+
 }  // namespace gestalt

@@ -126,15 +126,15 @@ LearningScene SharedFeatures::perceive(const Frame& frame, const cv::Mat_<std::u
 }
 
 LearningScene SharedFeatures::scene_for(const Variant& variant, const LearningScene& shared) const {
-  LearningScene scene{shared.name, {}, shared.objects};
-  scene.percept.surfaces = shared.percept.surfaces;
+  LearningScene scene = shared;
   const std::vector<Surface>& surfaces = shared.percept.surfaces.surfaces;
   const Config& config = variant.config;
   scene.percept.structural =
       select(shared.percept.structural, surfaces, structural_, config.structural, variant.structural_values);
-  if (config.with_assembly)
-    scene.percept.assembly =
-        select(shared.percept.assembly, surfaces, assembly_, *config.assembly, variant.assembly_values);
+  scene.percept.assembly =
+      config.with_assembly
+          ? select(shared.percept.assembly, surfaces, assembly_, *config.assembly, variant.assembly_values)
+          : RelationTable{};
   return scene;
 }
 

@@ -65,10 +65,10 @@ class GESTALT_EXPORT ConfigTree {
   Config resolve(const Registry& registry) const;
 
   /// The resolved config as YAML that reads back to the same config; each line ends with a comment that tells where its
-  /// value came from (`# paper.yaml:12`, `# --set`, `# default`).
+  /// value came from (`# default.yaml:12`, `# --set`, `# default`).
   std::string print(const Registry& registry) const;
 
-  /// {"values": the resolved config, "provenance": {"structural.minimum_size": "paper.yaml:12", ...}}
+  /// {"values": the resolved config, "provenance": {"structural.minimum_size": "default.yaml:12", ...}}
   nlohmann::json to_json(const Registry& registry) const;
 
  private:
@@ -76,7 +76,7 @@ class GESTALT_EXPORT ConfigTree {
   std::unique_ptr<Tree> tree_;
 };
 
-/// configs/paper.yaml of this installation or build tree. Throws ConfigError when it is not there.
+/// configs/default.yaml of this installation or build tree. Throws ConfigError when it is not there.
 GESTALT_EXPORT std::filesystem::path default_config();
 
 /// A line "  name=value" for each parameter: equal texts for equal values.

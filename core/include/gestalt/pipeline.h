@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gestalt/config.h"
+#include "gestalt/figure_ground.h"
 #include "gestalt/frame.h"
 #include "gestalt/model.h"
 #include "gestalt/patch_map.h"
@@ -33,6 +34,7 @@ struct LevelTimes {
 struct Percept {
   PatchMap patches;
   SurfaceSet surfaces;
+  std::vector<Role> roles;   ///< of each surface
   RelationTable structural;  ///< 3D neighbours
   RelationTable assembly;    ///< all other pairs; empty without the assembly level
   LevelTimes times;
@@ -69,6 +71,7 @@ class GESTALT_EXPORT Pipeline {
   std::shared_ptr<const Clusterer> clusterer_;
   std::vector<std::shared_ptr<const Fitter>> fitters_;
   SurfaceModellingParams surface_modelling_;
+  FigureGroundParams figure_ground_;
   struct Grouping {
     std::vector<NamedRelation> relations;
     std::shared_ptr<const Classifier> classifier;

@@ -7,6 +7,7 @@
 
 #include "gestalt/contour.h"
 #include "gestalt/frame.h"
+#include "gestalt/outline.h"
 #include "gestalt/patch_map.h"
 #include "gestalt/surface_set.h"
 
@@ -34,13 +35,17 @@ class GESTALT_EXPORT Scene {
   /// The contours of every surface, by its index.
   const std::vector<std::vector<Contour>>& contours() const;
 
+  /// Points on the contours of every surface, by its index.
+  const std::vector<Outline>& outlines() const;
+
  private:
   const Frame& frame_;
   const PatchMap& patches_;
   const SurfaceSet& surfaces_;
-  mutable std::once_flag grey_once_, yuv_once_, contours_once_;
+  mutable std::once_flag grey_once_, yuv_once_, contours_once_, outlines_once_;
   mutable cv::Mat grey_, yuv_;
   mutable std::vector<std::vector<Contour>> contours_;
+  mutable std::vector<Outline> outlines_;
 };
 
 }  // namespace gestalt
