@@ -267,7 +267,7 @@ struct Task {
   ExperimentOutcome* outcome;
 };
 
-/// Computes variants with equal lower levels.
+/// Computes variants with equal surfaces.
 void run_group(const std::vector<Task*>& tasks, const Registry& registry, const SceneSet& set, Reporter& reporter) {
   std::vector<const Variant*> variants;
   for (const Task* task : tasks) variants.push_back(task->variant);
@@ -323,11 +323,11 @@ std::vector<ExperimentOutcome> run_experiments(const std::vector<Variant>& varia
   std::vector<std::string> order;
   std::map<std::string, std::vector<Task*>> groups;
   for (Task& task : tasks) {
-    const std::string lower = lower_levels(task.variant->config);
-    if (!groups.contains(lower)) order.push_back(lower);
-    groups[lower].push_back(&task);
+    const std::string surfaces = canonical_surfaces(task.variant->config);
+    if (!groups.contains(surfaces)) order.push_back(surfaces);
+    groups[surfaces].push_back(&task);
   }
-  for (const std::string& lower : order) run_group(groups[lower], registry, set, reporter);
+  for (const std::string& surfaces : order) run_group(groups[surfaces], registry, set, reporter);
   for (std::size_t i = 0; i < variants.size(); ++i) {
     if (same_as[i] == i) continue;
     outcomes[i] = outcomes[same_as[i]];

@@ -12,17 +12,6 @@ namespace gestalt {
 
 namespace {
 
-std::string component_text(const std::string& kind, const ComponentConfig& component) {
-  return kind + " " + component.plugin + "\n" + canonical(component.params);
-}
-
-std::string level_text(const std::string& name, const LevelConfig& level) {
-  std::string text = name + "\n" + component_text("classifier", level.classifier);
-  for (const ComponentConfig& relation : level.relations)
-    text += component_text("relation " + relation.name, relation);  // values are named after it
-  return text + "minimum_size " + std::to_string(level.minimum_size) + "\n";
-}
-
 bool equal(const ComponentConfig& a, const ComponentConfig& b) { return a.plugin == b.plugin && a.params == b.params; }
 
 /// Index of the component in a list, where it is put when it is not there. Listed components are named "#<index>", so
@@ -89,18 +78,6 @@ RelationTable select(const RelationTable& shared, const std::vector<Surface>& su
 
 }  // namespace
 
-std::string lower_levels(const Config& config) {
-  std::string text = "sensor\n" + canonical(config.sensor) + component_text("clusterer", config.clusterer);
-  for (const ComponentConfig& fitter : config.fitters) text += component_text("fitter", fitter);
-  return text + "model_selection\n" + canonical(config.surface_modelling);
-}
-
-std::string canonical(const Config& config) {
-  return lower_levels(config) + level_text("structural", config.structural) +
-         (config.with_assembly ? level_text("assembly", config.assembly.value()) : "") +
-         component_text("solver", config.solver);
-}
-
 SharedFeatures::SharedFeatures(const std::vector<const Variant*>& variants, const Registry& registry) {
   Config config = variants.front()->config;
   config.with_assembly = false;
@@ -131,10 +108,9 @@ LearningScene SharedFeatures::scene_for(const Variant& variant, const LearningSc
   const Config& config = variant.config;
   scene.percept.structural =
       select(shared.percept.structural, surfaces, structural_, config.structural, variant.structural_values);
-  scene.percept.assembly =
-      config.with_assembly
-          ? select(shared.percept.assembly, surfaces, assembly_, *config.assembly, variant.assembly_values)
-          : RelationTable{};
+  scene.percept.assembly = config.with_assembly ? select(shared.percept.assembly, surfaces, assembly_, *config.assembly,
+                                                         variant.assembly_values)
+                                                : RelationTable{};
   return scene;
 }
 

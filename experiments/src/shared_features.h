@@ -11,14 +11,8 @@
 
 namespace gestalt {
 
-/// What two variants must have in common to share surfaces: equal texts for equal levels below the relations.
-std::string lower_levels(const Config& config);
-
-/// Everything in a config that changes a result.
-std::string canonical(const Config& config);
-
-/// The relations of several variants with equal lower levels, as one pipeline that computes each of them once for a
-/// scene.
+/// The relations of several variants with equal canonical_surfaces(), as one pipeline that computes each of them once
+/// for a scene.
 class SharedFeatures {
  public:
   SharedFeatures(const std::vector<const Variant*>& variants, const Registry& registry);

@@ -79,8 +79,11 @@ class GESTALT_EXPORT ConfigTree {
 /// configs/default.yaml of this installation or build tree. Throws ConfigError when it is not there.
 GESTALT_EXPORT std::filesystem::path default_config();
 
-/// A line "  name=value" for each parameter: equal texts for equal values.
-GESTALT_EXPORT std::string canonical(const ParameterValues& values);
+/// Everything in the config below the levels that group, as text: equal texts give equal surfaces.
+GESTALT_EXPORT std::string canonical_surfaces(const Config& config);
+
+/// Everything in the config that changes a result, as text; the model is no part of it.
+GESTALT_EXPORT std::string canonical(const Config& config);
 
 /// Hexadecimal hash (FNV-1a, 64 bits) of everything in the config, but the sensor, that changes the relation values of
 /// a level: two configs with equal hashes can share its model. Throws ConfigError when the config has no such level.
