@@ -35,7 +35,8 @@ std::string level_text(Level name, const LevelConfig& level) {
 }  // namespace
 
 std::string canonical_surfaces(const Config& config) {
-  return "sensor\n" + values_text(config.sensor) + primitive_text(config);
+  return "sensor\n" + values_text(config.sensor) + primitive_text(config) + "figure_ground\n" +
+         values_text(config.figure_ground);
 }
 
 std::string canonical(const Config& config) {

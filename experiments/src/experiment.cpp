@@ -55,8 +55,7 @@ SceneOutcome evaluate_scene(const Pipeline& pipeline, const Models& models, cons
     const std::vector<int> groups = pipeline.structural_groups(scene.percept, models.structural);
     outcome.assembly = assembly_pairs(scene, groups);
     outcome.count.assembly_same = std::count(outcome.assembly.positive.begin(), outcome.assembly.positive.end(), 1);
-    for (const auto& [a, b] : scene.percept.assembly.pairs)
-      outcome.count.assembly_pairs += groups[std::size_t(a)] != groups[std::size_t(b)];
+    outcome.count.assembly_pairs = std::int64_t(assembly_rows(scene.percept, groups).size());
   }
   if (use.scored) {
     count_pairs(pipeline, scene, models, outcome.decisions);

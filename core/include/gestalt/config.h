@@ -80,7 +80,7 @@ class GESTALT_EXPORT ConfigTree {
 /// configs/default.yaml of this installation or build tree. Throws ConfigError when it is not there.
 GESTALT_EXPORT std::filesystem::path default_config();
 
-/// Everything in the config below the levels that group, as text: equal texts give equal surfaces.
+/// Everything in the config that surfaces and their roles follow from, as text: equal texts give equal ones.
 GESTALT_EXPORT std::string canonical_surfaces(const Config& config);
 
 /// Everything in the config that changes a result, as text; the model is no part of it.

@@ -63,8 +63,8 @@ struct ValueScore {
   double f_score = 0;
 };
 
-/// What there is in the scenes of a category (paper, Table 1). Pairs of the assembly level are those of different
-/// structural groups. `same` are the pairs of patches of one object.
+/// What there is in the scenes of a category (paper, Table 1). Pairs of the assembly level are those that
+/// assembly_rows() gives. `same` are the pairs of patches of one object.
 struct CategoryCount {
   std::string category;  ///< "all" for the last row
   std::int64_t images = 0;
