@@ -80,6 +80,12 @@ class GESTALT_EXPORT ConfigTree {
 /// configs/default.yaml of this installation or build tree. Throws ConfigError when it is not there.
 GESTALT_EXPORT std::filesystem::path default_config();
 
+/// Everything in the config that surfaces and their roles follow from, as text: equal texts give equal ones.
+GESTALT_EXPORT std::string canonical_surfaces(const Config& config);
+
+/// Everything in the config that changes a result, as text; the model is no part of it.
+GESTALT_EXPORT std::string canonical(const Config& config);
+
 /// Hexadecimal hash (FNV-1a, 64 bits) of everything in the config, but the sensor, that changes the relation values of
 /// a level: two configs with equal hashes can share its model. Throws ConfigError when the config has no such level.
 GESTALT_EXPORT std::string config_hash(const Config& config, Level level);
