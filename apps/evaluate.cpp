@@ -29,6 +29,9 @@ namespace {
 namespace fs = std::filesystem;
 using Labels = cv::Mat_<std::uint16_t>;
 
+constexpr const char* labels_image = "labels.png";
+constexpr const char* objects_image = "objects.png";
+
 struct Options {
   std::vector<fs::path> scenes;
   PipelineOptions pipeline;
@@ -36,7 +39,7 @@ struct Options {
   std::uint64_t seed = 0;
   std::vector<fs::path> additional;  ///< scenes that every fold also learns from
   fs::path predictions;              ///< empty: run the pipeline
-  std::string image = "labels.png";
+  std::string image{labels_image};   ///< of the results: labels.png or objects.png; of predictions: any name
   bool parts = false;
   fs::path output;  ///< empty: write no label images
   bool json = false;
@@ -133,7 +136,15 @@ class Evaluation {
 
   void score(std::size_t scene, const Labels& ground_truth, const Labels& labels) {
     scores[scene] = score_image(ground_truth, labels, options_.regions());
-    if (!options_.output.empty()) write_png(options_.output / scene_name(scenes[scene]) / "labels.png", labels);
+  }
+
+  void score(std::size_t scene, const Labels& ground_truth, const Segmentation& segmentation) {
+    const Labels objects = object_labels(segmentation);
+    score(scene, ground_truth, options_.image == objects_image ? objects : segmentation.labels);
+    if (options_.output.empty()) return;
+    const fs::path folder = options_.output / scene_name(scenes[scene]);
+    write_files(
+        {{folder / labels_image, encode_png(segmentation.labels)}, {folder / objects_image, encode_png(objects)}});
   }
 
   /// Prints errors and scores. Throws the first error when no scene could be scored.
@@ -196,7 +207,7 @@ int score_model(const Options& options) {
   evaluation.for_each_scene([&](std::size_t i) {
     const Input input = read_scene(evaluation.scenes[i]);
     const Labels ground_truth = ground_truth_of(input);
-    evaluation.score(i, ground_truth, pipeline.decide(pipeline.perceive(input.frame), models).labels);
+    evaluation.score(i, ground_truth, pipeline.decide(pipeline.perceive(input.frame), models));
   });
   return evaluation.report(config_name(options));
 }
@@ -239,7 +250,7 @@ int cross_validate(const Options& options) {
 
   evaluation.for_each_scene([&](std::size_t i) {
     const Labels ground_truth = read_ground_truth(evaluation.scenes[i]);
-    evaluation.score(i, ground_truth, pipeline.decide(perceived[i].percept, models[std::size_t(fold[i])]).labels);
+    evaluation.score(i, ground_truth, pipeline.decide(perceived[i].percept, models[std::size_t(fold[i])]));
   });
   return evaluation.report(config_name(options) + ", " + std::to_string(options.folds) + "-fold cross-validation",
                            pairs);
@@ -248,6 +259,8 @@ int cross_validate(const Options& options) {
 int evaluate(const Options& options) {
   const ThreadLimit limit(options.pipeline.threads);
   if (!options.predictions.empty()) return score_predictions(options);
+  if (options.image != labels_image && options.image != objects_image)
+    throw ConfigError("--image " + options.image + ": without --predictions it is labels.png or objects.png");
   return options.folds > 0 ? cross_validate(options) : score_model(options);
 }
 
@@ -267,10 +280,13 @@ void add_evaluate(CLI::App& app, Run& run) {
   CLI::Option* predictions =
       command
           .add_option("--predictions", options->predictions,
-                      "Score the label images DIR/<scene>/labels.png or DIR/<scene>.png and run nothing")
+                      "Score the label images DIR/<scene>/labels.png (or --image) or DIR/<scene>.png and run nothing")
           ->type_name("DIR");
-  command.add_option("--image", options->image, "Name of the label image in a scene's folder of predictions")
-      ->needs(predictions)
+  command
+      .add_option(
+          "--image", options->image,
+          "Which result to score: labels.png, or objects.png, where background is 0; with --predictions any file's "
+          "name")
       ->type_name("FILE");
   CLI::Option* folds = command
                            .add_option("--cross-validate", options->folds,
@@ -287,7 +303,7 @@ void add_evaluate(CLI::App& app, Run& run) {
       ->needs(folds)
       ->type_name("SCENES");
   command.add_flag("--parts", options->parts, "Regions are the visible parts of objects, not whole objects");
-  command.add_option("--output", options->output, "Also write DIR/<scene>/labels.png")
+  command.add_option("--output", options->output, "Also write DIR/<scene>/labels.png and objects.png")
       ->check(not_empty)
       ->excludes(predictions)
       ->type_name("DIR");

@@ -54,6 +54,7 @@ int main(int argc, char** argv) {
   add_plugins(app, run);
   add_config(app, run);
   add_info(app, run);
+  add_calibrate_noise(app, run);
   try {
     if (argc > 1) require_known(app, argv[1]);
     app.parse(argc, argv);

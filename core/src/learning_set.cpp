@@ -51,13 +51,11 @@ LearningScene make_learning_scene(const Pipeline& pipeline, const Frame& frame,
 }
 
 Samples assembly_pairs(const LearningScene& scene, const std::vector<int>& structural_groups) {
-  RelationTable apart{scene.percept.assembly.names, {}, {}};
-  for (std::size_t i = 0; i < scene.percept.assembly.pairs.size(); ++i) {
-    const auto pair = scene.percept.assembly.pairs[i];
-    if (structural_groups[std::size_t(pair.a)] == structural_groups[std::size_t(pair.b)]) continue;
-    apart.pairs.push_back(pair);
-    const std::span<const double> row = scene.percept.assembly.row(i);
-    apart.values.insert(apart.values.end(), row.begin(), row.end());
+  const RelationTable& all = scene.percept.assembly;
+  RelationTable apart{all.names, {}, {}};
+  for (const std::size_t i : assembly_rows(scene.percept, structural_groups)) {
+    apart.pairs.push_back(all.pairs[i]);
+    apart.values.insert(apart.values.end(), all.row(i).begin(), all.row(i).end());
   }
   return labelled_pairs(apart, scene.objects);
 }

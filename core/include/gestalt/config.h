@@ -41,6 +41,7 @@ struct Config {
   LevelConfig structural;
   std::optional<LevelConfig> assembly;  ///< where the config has this section; never absent when with_assembly
   ComponentConfig solver;               ///< decision.solver
+  ParameterValues figure_ground;        ///< decision.figure_ground, of FigureGroundParams
 };
 
 /// A config file with everything it extends and the command line's overrides merged (docs/config.md tells how), before

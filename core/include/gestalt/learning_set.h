@@ -35,8 +35,7 @@ struct LearningScene {
 GESTALT_EXPORT LearningScene make_learning_scene(const Pipeline& pipeline, const Frame& frame,
                                                  const cv::Mat_<std::uint16_t>& ground_truth);
 
-/// The samples of the assembly level: labelled pairs of different groups of the structural level alone (paper,
-/// Section 6).
+/// The samples of the assembly level: the labelled ones of the pairs that the decision looks at (paper, Section 6).
 GESTALT_EXPORT Samples assembly_pairs(const LearningScene& scene, const std::vector<int>& structural_groups);
 
 /// Trains the levels of the pipeline's config on scenes that it has perceived: first the structural level, then, on the

@@ -42,19 +42,13 @@ Smallest smallest_eigenpair(const Eigen::Matrix3f& m) {
   return {value, vector / std::sqrt(longest)};
 }
 
+constexpr int full_window = 8;  // px; of larger radii only every second, third, ... row and column is looked at
+
 }  // namespace
 
-NormalMap estimate_normals(const Frame& frame, const NormalParams& params) {
+NormalMap estimate_normals(const Frame& frame, const Tolerances& tolerances) {
   NormalMap map{cv::Mat_<cv::Vec3f>(frame.depth.size(), cv::Vec3f()), cv::Mat_<float>(frame.depth.size(), 1.f)};
   const int width = frame.width(), height = frame.height();
-
-  // Squared reach at 1 m for each offset of the largest window.
-  constexpr int largest = 64;
-  const auto radius_at = [&](float z) {
-    const double beyond = std::max(0.0, double(z) - params.window_growth_start);
-    return std::min(largest, params.window_radius + int(beyond / params.window_growth_step));
-  };
-  const auto slope_squared = float(params.neighbour_slope * params.neighbour_slope);
 
   tbb::parallel_for(tbb::blocked_range<int>(0, height, 8), [&](const tbb::blocked_range<int>& rows) {
     for (int v = rows.begin(); v < rows.end(); ++v)
@@ -62,12 +56,15 @@ NormalMap estimate_normals(const Frame& frame, const NormalParams& params) {
         const float z = frame.depth(v, u);
         if (!(z > 0)) continue;
         const cv::Vec3f& p = frame.points(v, u);
-        const int radius = radius_at(z);
-        const float reach = slope_squared * z * z;
+        const int radius = tolerances.window_radius(z);
+        // Noise is shared by neighbouring pixels: of a large window a sample tells as much.
+        const int step = 1 + (radius - 1) / full_window;
+        const float reach = tolerances.squared_reach(z);
         float n = 0, x = 0, y = 0, w = 0, xx = 0, xy = 0, xw = 0, yy = 0, yw = 0, ww = 0;
-        for (int dv = -std::min(radius, v); dv <= std::min(radius, height - 1 - v); ++dv) {
+        const int first_du = -(std::min(radius, u) / step * step), last_du = std::min(radius, width - 1 - u);
+        for (int dv = -(std::min(radius, v) / step * step); dv <= std::min(radius, height - 1 - v); dv += step) {
           const cv::Vec3f* row = frame.points[v + dv] + u;
-          for (int du = -std::min(radius, u); du <= std::min(radius, width - 1 - u); ++du) {
+          for (int du = first_du; du <= last_du; du += step) {
             const float dx = row[du][0] - p[0], dy = row[du][1] - p[1], dz = row[du][2] - p[2];
             // A pixel without depth is the origin: at least z away, and so out of reach.
             const float counts = dx * dx + dy * dy + dz * dz <= reach * float(du * du + dv * dv) ? 1.f : 0.f;
