@@ -11,7 +11,7 @@ namespace gestalt {
 
 namespace {
 
-constexpr int samples = 48;
+constexpr int samples = 24;
 
 class CommonSurfaceMeasure final : public Measure {
  public:

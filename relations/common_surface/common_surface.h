@@ -8,7 +8,7 @@
 namespace gestalt {
 
 /// r_sp and r_sq: does the surface fitted to one patch predict where the other is (ours, not in the paper; continuity
-/// over the whole patch, where r_dn looks at the sides that face each other)? For either patch the mean distance of 48
+/// over the whole patch, where r_dn looks at the sides that face each other)? For either patch the mean distance of 24
 /// evenly spread contour points to the fitted surface of the other, which a plane continues without end. r_sp is the
 /// smaller of the two means, r_sq the larger one.
 class CommonSurface final : public Relation {
