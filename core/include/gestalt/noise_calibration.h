@@ -17,7 +17,7 @@ struct NoiseBin {
   int windows = 0;          ///< planar windows that sigma is taken from
   std::size_t samples = 0;  ///< pixels in them
   double sigma = 0;         ///< m, standard deviation of the readings about a plane
-  double step = 0;          ///< m, distance of two readings that the sensor tells apart; part of sigma
+  double step = 0;          ///< m, to 0.1 mm: distance of two readings that the sensor tells apart
 };
 
 struct NoiseEstimate {
@@ -48,7 +48,7 @@ class GESTALT_EXPORT NoiseCalibration {
   };
   struct Bin {
     std::vector<Window> windows;
-    std::set<float> readings;
+    std::set<int> readings;  // in 0.1 mm
   };
 
   /// The bins with enough planar windows. known: sigma(z) as far as it is known, or null.
