@@ -86,7 +86,7 @@ std::string aligned_table(const TextTable& table) {
 constexpr const char* page_style = R"(<style>
 :root{color-scheme:light dark}
 body{font:15px/1.5 system-ui,"DejaVu Sans",sans-serif;max-width:62em;margin:2em auto;padding:0 1em;color:#222;background:#fff}
-table{border-collapse:collapse;margin:1em 0;font-variant-numeric:tabular-nums}
+table{display:block;overflow-x:auto;border-collapse:collapse;margin:1em 0;font-variant-numeric:tabular-nums}
 th,td{padding:.15em .7em;border-bottom:1px solid #ddd;text-align:right}
 th:first-child,td:first-child{text-align:left}
 figure{margin:1em 0;overflow-x:auto}

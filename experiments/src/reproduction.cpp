@@ -60,16 +60,12 @@ const Row* find_row(std::span<const Row> rows, const Predicate& holds) {
 
 TextTable table_1(const ExperimentResult& result) {
   TextTable table{
-      {"set", "category", "Nr.", "Obj.", "r_st", "same", "r_as", "same", "paper: Nr.", "Obj.", "r_st", "r_as"}, {}};
+      {"set and category", "Nr.", "Obj.", "r_st", "same", "r_as", "same", "paper: Nr.", "Obj.", "r_st", "r_as"}, {}};
   const auto add = [&](const std::string& set, const std::vector<CategoryCount>& counts) {
     for (const CategoryCount& count : counts) {
-      std::vector<std::string> row{set,
-                                   count.category,
-                                   number(count.images),
-                                   number(count.objects),
-                                   number(count.structural_pairs),
-                                   number(count.structural_same),
-                                   number(count.assembly_pairs),
+      std::vector<std::string> row{set + " " + count.category,    number(count.images),
+                                   number(count.objects),         number(count.structural_pairs),
+                                   number(count.structural_same), number(count.assembly_pairs),
                                    number(count.assembly_same)};
       const auto* paper = find_row(paper::table_1(), [&](const paper::Counts& of_paper) {
         return of_paper.set == set && of_paper.category == count.category;

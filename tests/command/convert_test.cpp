@@ -21,7 +21,6 @@ class Convert : public testing::Test {
     folder.write("small.yaml", small_camera());
   }
   void write_release_scene(const std::string& name) const {
-    const fs::path release = folder.path() / "release";
     for (const char* kind : {"disparity", "image_color", "annotation"}) fs::create_directories(release / kind);
     cv::Mat_<std::uint8_t> annotation(small_height, small_width, std::uint8_t{0});
     annotation(cv::Rect(10, 10, 20, 20)) = 1;
