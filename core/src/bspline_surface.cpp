@@ -19,12 +19,21 @@ int span_of(int degree, const std::vector<double>& knots, double x) {
   return int(span - knots.begin());
 }
 
+/// 1 / (t_{i + p} - t_i) of the p functions of degree p - 1 over a span, the first being i = span - p + 1.
+Values inverse_supports(int p, int span, const std::vector<double>& t) {
+  Values inverse{};
+  const double* first = &t[std::size_t(span - p) + 1];
+  for (int j = 0; j < p; ++j) inverse[std::size_t(j)] = 1 / (first[j + p] - first[j]);
+  return inverse;
+}
+
 /// The p + 1 functions of degree p over a span from the p of the degree below.
-Values raise(const Values& lower, int p, int span, const std::vector<double>& t, double x) {
+Values raise(const Values& lower, int p, int span, const std::vector<double>& t, const Values& inverse, double x) {
   Values upper{};
+  const double* first = &t[std::size_t(span - p) + 1];
   for (int j = 0; j < p; ++j) {
-    const std::size_t s = std::size_t(j), i = std::size_t(span) + s + 1 - std::size_t(p);
-    const double share = (x - t[i]) / (t[i + std::size_t(p)] - t[i]);
+    const std::size_t s = std::size_t(j);
+    const double share = (x - first[j]) * inverse[s];
     upper[s + 1] += share * lower[s];
     upper[s] += (1 - share) * lower[s];
   }
@@ -32,11 +41,11 @@ Values raise(const Values& lower, int p, int span, const std::vector<double>& t,
 }
 
 /// Derivatives of the p + 1 functions of degree p from the values (or derivatives) of the degree below.
-Values differentiate(const Values& lower, int p, int span, const std::vector<double>& t) {
+Values differentiate(const Values& lower, int p, const Values& inverse) {
   Values upper{};
   for (int j = 0; j < p; ++j) {
-    const std::size_t s = std::size_t(j), i = std::size_t(span) + s + 1 - std::size_t(p);
-    const double slope = p / (t[i + std::size_t(p)] - t[i]) * lower[s];
+    const std::size_t s = std::size_t(j);
+    const double slope = p * inverse[s] * lower[s];
     upper[s + 1] += slope;
     upper[s] -= slope;
   }
@@ -59,16 +68,13 @@ BsplineBasis bspline_basis(int degree, const std::vector<double>& knots, double 
   const int span = span_of(degree, knots, x);
   BsplineBasis basis;
   basis.first = span - degree;
-  Values below{}, two_below{};  // the functions of degree - 1 and degree - 2
   basis.value[0] = 1;
   for (int p = 1; p <= degree; ++p) {
-    two_below = below;
-    below = basis.value;
-    basis.value = raise(below, p, span, knots, x);
+    const Values inverse = inverse_supports(p, span, knots);
+    basis.second_derivative = differentiate(basis.first_derivative, p, inverse);
+    basis.first_derivative = differentiate(basis.value, p, inverse);
+    basis.value = raise(basis.value, p, span, knots, inverse, x);
   }
-  basis.first_derivative = differentiate(below, degree, span, knots);
-  if (degree > 1)
-    basis.second_derivative = differentiate(differentiate(two_below, degree - 1, span, knots), degree, span, knots);
   return basis;
 }
 

@@ -10,7 +10,7 @@ namespace gestalt {
 namespace {
 
 constexpr int evaluations = 12;
-constexpr double tolerance = 1e-5;  // of the parameters; of the distance it is the square of that
+constexpr double tolerance = 1e-4;  // of the parameters; the distance errs by the square of that
 
 /// Gradient and Hessian of half the squared distance. At the border of the domain, a direction that leads out is
 /// taken out of the system.
