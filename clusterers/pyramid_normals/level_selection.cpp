@@ -15,6 +15,9 @@ namespace gestalt {
 
 namespace {
 
+constexpr double certain_distance = 3;  // sigma(z)
+constexpr int outline = 1;              // px of the coarse level
+
 struct Plane {
   Eigen::Vector3d normal = Eigen::Vector3d::Zero();
   double offset = 0;
@@ -122,10 +125,18 @@ class Selection {
 
   bool at_outline(int u, int v) const {
     const cv::Mat_<int>& labels = coarse_.patches.labels;
-    for (int y = std::max(0, v / 2 - 1); y <= std::min(labels.rows - 1, v / 2 + 1); ++y)
-      for (int x = std::max(0, u / 2 - 1); x <= std::min(labels.cols - 1, u / 2 + 1); ++x)
+    for (int y = std::max(0, v / 2 - outline); y <= std::min(labels.rows - 1, v / 2 + outline); ++y)
+      for (int x = std::max(0, u / 2 - outline); x <= std::min(labels.cols - 1, u / 2 + outline); ++x)
         if (labels(y, x) != labels(v / 2, u / 2)) return true;
     return false;
+  }
+
+  /// Whether a fine pixel is of the coarse patch over it without a doubt: away from its outline, and as near to its
+  /// plane as noise lets points be.
+  bool certain(int coarse, int u, int v) const {
+    const Eigen::Vector3f p = fine_.frame.point(v * fine_.frame.width() + u);
+    return !at_outline(u, v) &&
+           coarse_planes_[std::size_t(coarse)].distance(p) <= certain_distance * fine_.frame.noise.at(double(p.z()));
   }
 
   /// Kept coarse patches first, then the fine ones.
@@ -135,7 +146,7 @@ class Selection {
       for (int u = 0; u < result.labels.cols; ++u) {
         const int coarse = over(u, v), fine = fine_.patches.labels(v, u);
         if (coarse != 0 && kept_[std::size_t(coarse)]) {
-          if (!at_outline(u, v)) result.labels(v, u) = coarse;
+          if (certain(coarse, u, v)) result.labels(v, u) = coarse;
         } else if (fine != 0) {
           result.labels(v, u) = coarse_.patches.count + fine;
         }

@@ -11,7 +11,7 @@ namespace gestalt {
 
 /// Weights of Eq. 3; S_m is 1 for a plane.
 struct SelectionParams {
-  double kappa_1 = 0.008;  ///< of a patch, as a share of the coarse patch's points
+  double kappa_1 = 0.001;  ///< of a patch, as a share of the coarse patch's points
   double kappa_2 = 1;      ///< of the error
   double error_noise = 2;  ///< p(f_i | H) = exp(-e_i^2 / (error_noise sigma(z))^2)
 };

@@ -14,9 +14,9 @@ namespace gestalt {
 
 namespace {
 
-constexpr double window_angle = 0.032;  // rad, 17 px of a Kinect; noise of neighbouring pixels is alike, so not smaller
-constexpr double bin_ratio = 1.15;      // far end of a bin over its near end
-constexpr double reading_unit = 1e-4;   // m
+constexpr double window_angle = 0.064;      // rad, 33 px of a Kinect: errors are alike over ten pixels and more
+constexpr double bin_ratio = 1.15;          // far end of a bin over its near end
+constexpr double reading_unit = 1e-4;       // m
 constexpr std::size_t fewest_windows = 20;  // of a bin
 constexpr double least_share_valid = 0.8;   // of a window's pixels
 
@@ -90,8 +90,8 @@ DepthNoise fit(const std::vector<NoiseBin>& bins) {
 void NoiseCalibration::add(const Frame& frame) {
   const double focal_length = std::sqrt(frame.camera.fx * frame.camera.fy);
   const int side = std::max(5, int(std::lround(window_angle * focal_length)));
-  for (int v = 0; v + side <= frame.height(); v += side)
-    for (int u = 0; u + side <= frame.width(); u += side) {
+  for (int v = 0; v + side <= frame.height(); v += side / 2)
+    for (int u = 0; u + side <= frame.width(); u += side / 2) {
       int samples = 0;
       if (const auto found = depth_and_variance(frame, u, v, side, samples))
         bins_[bin_of(found->first)].windows.push_back({float(found->first), float(found->second), samples});

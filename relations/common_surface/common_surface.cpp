@@ -21,9 +21,7 @@ class CommonSurfaceMeasure final : public Measure {
   }
 
   void operator()(const SurfacePair& pair, std::span<double> values) const override {
-    const double to_a = distance(pair.b, pair.a), to_b = distance(pair.a, pair.b);
-    values[0] = std::min(to_a, to_b);
-    values[1] = std::max(to_a, to_b);
+    values[0] = std::min(distance(pair.b, pair.a), distance(pair.a, pair.b));
   }
 
  private:
@@ -48,10 +46,9 @@ const Parameters<CommonSurface::Params>& CommonSurface::parameters() {
 }
 
 const std::vector<RelationValue>& CommonSurface::values() const {
-  constexpr double infinity = std::numeric_limits<double>::infinity();
   static const std::vector<RelationValue> values{
-      {"r_sp", 0, infinity, "mean distance of a contour to the other's surface, m; the smaller of both ways"},
-      {"r_sq", 0, infinity, "mean distance of a contour to the other's surface, m; the larger of both ways"}};
+      {"r_sp", 0, std::numeric_limits<double>::infinity(),
+       "mean distance of a contour to the other's surface, m; the smaller of both ways"}};
   return values;
 }
 

@@ -7,10 +7,10 @@
 
 namespace gestalt {
 
-/// r_sp and r_sq: does the surface fitted to one patch predict where the other is (ours, not in the paper; continuity
-/// over the whole patch, where r_dn looks at the sides that face each other)? For either patch the mean distance of 24
-/// evenly spread contour points to the fitted surface of the other, which a plane continues without end. r_sp is the
-/// smaller of the two means, r_sq the larger one.
+/// r_sp: does the surface fitted to one patch predict where the other is (ours, not in the paper; continuity over the
+/// whole patch, where r_dn looks at the sides that face each other)? The mean distance of 24 evenly spread contour
+/// points of one patch to the fitted surface of the other, which a plane continues without end; of both ways the
+/// smaller.
 class CommonSurface final : public Relation {
  public:
   struct Params {};

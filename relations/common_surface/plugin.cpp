@@ -6,4 +6,4 @@
 #include "common_surface.h"
 
 GESTALT_PLUGIN(gestalt::component<gestalt::CommonSurface>(
-    "common_surface", "1.0.0", "r_sp, r_sq: distance of the contour of one patch to the surface of the other"))
+    "common_surface", "1.0.0", "r_sp: distance of the contour of one patch to the surface of the other"))
