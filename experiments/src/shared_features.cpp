@@ -43,6 +43,7 @@ void append_columns(const RelationTable& shared, const ComponentConfig& listed, 
 
 void keep_only(const std::vector<std::string>& values, std::vector<Column>& columns) {
   std::vector<std::string> names;
+  names.reserve(columns.size());
   for (const Column& column : columns) names.push_back(column.name);
   for (const std::string& value : values)
     if (std::find(names.begin(), names.end(), value) == names.end())
