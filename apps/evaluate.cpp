@@ -47,45 +47,15 @@ struct Options {
   RegionKind regions() const { return parts ? RegionKind::parts : RegionKind::objects; }
 };
 
-/// The folder that a scene is in.
-fs::path folder_of(const fs::path& scene) {
-  const fs::path path = fs::absolute(scene).lexically_normal();
-  return path.has_filename() ? path.parent_path() : path.parent_path().parent_path();
-}
-
-/// Category of each scene, from the file <folder>.csv beside the folder that it is in; "" when there is none.
-std::vector<std::string> scene_categories(const std::vector<fs::path>& scenes) {
-  std::map<fs::path, std::map<std::string, std::string>> known;
-  std::vector<std::string> categories;
-  for (const fs::path& scene : scenes) {
-    const fs::path file = folder_of(scene).string() + ".csv";
-    if (!known.contains(file)) known.emplace(file, read_categories(file));
-    const auto found = known[file].find(scene_name(scene));
-    categories.push_back(found == known[file].end() ? "" : found->second);
-  }
-  return categories;
-}
-
-Labels with_depth_only(const Labels& ground_truth, const cv::Mat& depth) {
-  Labels labels = ground_truth.clone();
-  labels.setTo(0, depth == 0);
-  return labels;
-}
-
-Labels ground_truth_of(const Input& input) {
-  if (input.ground_truth.empty())
-    throw InputError(input.path.string() +
-                     ": has no ground truth to score against; give scenes with a label.png or clouds with labels");
-  return with_depth_only(input.ground_truth, input.frame.depth);
-}
-
 /// Ground truth of a scene that need not be segmented: neither camera nor colour is looked for in a folder.
 Labels read_ground_truth(const fs::path& scene) {
-  if (!fs::is_directory(scene)) return ground_truth_of(read_scene(scene));
-  const Labels labels = read_label_image(scene / "label.png"), depth = read_label_image(scene / "depth.png");
+  if (!fs::is_directory(scene)) return scored_ground_truth(read_scene(scene));
+  Labels labels = read_label_image(scene / "label.png");
+  const Labels depth = read_label_image(scene / "depth.png");
   if (labels.size() != depth.size())
     throw InputError(scene.string() + ": label.png and depth.png differ in size; they must be of one camera image");
-  return with_depth_only(labels, depth);
+  labels.setTo(0, depth == 0);
+  return labels;
 }
 
 Labels read_prediction(const Options& options, const std::string& scene, cv::Size size) {
@@ -206,7 +176,7 @@ int score_model(const Options& options) {
   Evaluation evaluation(options);
   evaluation.for_each_scene([&](std::size_t i) {
     const Input input = read_scene(evaluation.scenes[i]);
-    const Labels ground_truth = ground_truth_of(input);
+    const Labels ground_truth = scored_ground_truth(input);
     evaluation.score(i, ground_truth, pipeline.decide(pipeline.perceive(input.frame), models));
   });
   return evaluation.report(config_name(options));
@@ -214,7 +184,7 @@ int score_model(const Options& options) {
 
 LearningScene learning_scene(const Pipeline& pipeline, const fs::path& scene) {
   const Input input = read_scene(scene);
-  return make_learning_scene(pipeline, input.frame, ground_truth_of(input));
+  return make_learning_scene(pipeline, input.frame, scored_ground_truth(input));
 }
 
 std::vector<const LearningScene*> pointers(const std::vector<LearningScene>& scenes) {

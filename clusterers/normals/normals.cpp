@@ -21,7 +21,8 @@ const Parameters<Normals::Params>& Normals::parameters() {
 PatchMap Normals::cluster(const Frame& frame) const {
   const Tolerances tolerances(frame, params_);
   const NormalMap map = estimate_normals(frame, tolerances);
-  LabelledPatches patches = refine_patches(frame, map, tolerances, grow_patches(frame, map, tolerances));
+  LabelledPatches patches = tidy_outlines(frame, map, tolerances, grow_patches(frame, map, tolerances));
+  patches = gather_leftovers(frame, map, tolerances, std::move(patches));
   return {std::move(patches.labels), map.normals, patches.count};
 }
 

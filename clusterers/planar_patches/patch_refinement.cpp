@@ -60,7 +60,7 @@ class Refinement {
       const float distance = planes[std::size_t(label(from))].distance(p);
       if (distance <= tolerances_.distance(p.z())) offers.push({distance, to, label(from)});
     };
-    for (int p = 0; p < int(patches_.labels.total()); ++p)
+    for (int p = 0; p < grid_.size(); ++p)
       if (label(p) == 0 && grid_.valid(p))
         grid_.for_neighbours_4(p, [&](int q) {
           if (label(q) != 0) offer(q, p);
@@ -76,7 +76,7 @@ class Refinement {
 
   /// Clusters what is still in no patch by connectivity; depth jumps separate.
   void gather_leftovers() {
-    for (int seed = 0; seed < int(patches_.labels.total()); ++seed) {
+    for (int seed = 0; seed < grid_.size(); ++seed) {
       if (label(seed) != 0 || !grid_.valid(seed)) continue;
       ++patches_.count;
       std::vector<int> component{seed};
@@ -96,7 +96,7 @@ class Refinement {
   /// is nearest in depth: too small to be related to anything, they are noise of the patch around them.
   void sink_islands(int first_island) {
     std::vector<std::vector<int>> islands(std::size_t(patches_.count - first_island + 1));
-    for (int p = 0; p < int(patches_.labels.total()); ++p)
+    for (int p = 0; p < grid_.size(); ++p)
       if (label(p) >= first_island) islands[std::size_t(label(p) - first_island)].push_back(p);
     const int smallest = tolerances_.smallest_island();
     const auto sinks = [&](int island_label) {
@@ -117,19 +117,18 @@ class Refinement {
     }
   }
 
-  int count() const { return patches_.count; }
-
-  /// Labels without gaps.
-  LabelledPatches finish() {
+  /// Numbers the labels that are in use from 1 on, in their order.
+  void close_gaps() {
     std::vector<int> number(std::size_t(patches_.count) + 1, 0);
-    for (int p = 0; p < int(patches_.labels.total()); ++p) number[std::size_t(label(p))] = 1;
+    for (int p = 0; p < grid_.size(); ++p) number[std::size_t(label(p))] = 1;
     number[0] = 0;
     std::partial_sum(number.begin(), number.end(), number.begin());
-    for (int p = 0; p < int(patches_.labels.total()); ++p)
+    for (int p = 0; p < grid_.size(); ++p)
       if (label(p) != 0) label(p) = number[std::size_t(label(p))];
     patches_.count = number.back();
-    return std::move(patches_);
   }
+
+  LabelledPatches result() { return std::move(patches_); }
 
  private:
   int& label(int pixel) { return patches_.labels.ptr<int>()[pixel]; }
@@ -158,7 +157,7 @@ class Refinement {
   /// Mean planes by label.
   std::vector<RunningPlane> planes_of_patches() const {
     std::vector<RunningPlane> planes(std::size_t(patches_.count) + 1);
-    for (int p = 0; p < int(patches_.labels.total()); ++p)
+    for (int p = 0; p < grid_.size(); ++p)
       if (const int own = patches_.labels.ptr<int>()[p]; own != 0)
         planes[std::size_t(own)].sum(grid_.point(p), grid_.normal(p));
     for (RunningPlane& plane : planes)
@@ -173,15 +172,22 @@ class Refinement {
 
 }  // namespace
 
-LabelledPatches refine_patches(const Frame& frame, const NormalMap& normals, const Tolerances& tolerances,
-                               LabelledPatches patches) {
+LabelledPatches tidy_outlines(const Frame& frame, const NormalMap& normals, const Tolerances& tolerances,
+                              LabelledPatches patches) {
   Refinement refinement(frame, normals, tolerances, std::move(patches));
   refinement.cut_spurs();
   refinement.reassign_leftovers();
-  const int first_island = refinement.count() + 1;
+  return refinement.result();
+}
+
+LabelledPatches gather_leftovers(const Frame& frame, const NormalMap& normals, const Tolerances& tolerances,
+                                 LabelledPatches patches) {
+  const int first_island = patches.count + 1;
+  Refinement refinement(frame, normals, tolerances, std::move(patches));
   refinement.gather_leftovers();
   refinement.sink_islands(first_island);
-  return refinement.finish();
+  refinement.close_gaps();
+  return refinement.result();
 }
 
 }  // namespace gestalt

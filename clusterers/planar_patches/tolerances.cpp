@@ -21,6 +21,12 @@ Tolerances::Tolerances(const Frame& frame, const ToleranceParams& params)
       focal_length_(std::sqrt(frame.camera.fx * frame.camera.fy)),
       scale_(focal_length_ / reference_focal_length) {}
 
+Tolerances Tolerances::halved() const {
+  Tolerances half = *this;
+  half.focal_length_ /= 2;
+  return half;
+}
+
 double Tolerances::noise_in_pixels(float z) const { return noise_.at(z) * focal_length_ / double(z); }
 
 int Tolerances::window_radius(float z) const {

@@ -11,8 +11,9 @@ namespace gestalt {
 /// the sensor's noise at the depth of a point, the footprint of a pixel is what it covers there, z / f. Pixel numbers
 /// are for a focal length of 525 px, the Kinect's at 640x480, and grow and shrink with the focal length.
 ///
-/// The defaults give, for a Kinect between 0.7 and 1.3 m, about the thresholds of the authors' published program: a distance
-/// of -0.002 + 0.015 z m, an angle of 0.58 + 0.1 z rad, a window of 3 px below 2 m and 1 px more for each 0.5 m.
+/// The defaults give, for a Kinect between 0.7 and 1.3 m, about the thresholds of the authors' published program: a
+/// distance of -0.002 + 0.015 z m, an angle of 0.58 + 0.1 z rad, a window of 3 px below 2 m and 1 px more for each 0.5
+/// m.
 struct ToleranceParams {
   double window_radius = 3;       ///< px at 525 px focal length: least radius of the neighbourhood of a normal
   double window_noise = 2;        ///< in any case that radius spans this many sigma
@@ -63,6 +64,9 @@ Parameters<Params>& declare_tolerances(Parameters<Params>& parameters) {
 class Tolerances {
  public:
   Tolerances(const Frame& frame, const ToleranceParams& params);
+
+  /// Those of the frame at half its resolution: footprints are twice as large, numbers of pixels are the same.
+  Tolerances halved() const;
 
   /// Pixels that the neighbourhood of a normal extends to each side, at least 1.
   int window_radius(float z) const;

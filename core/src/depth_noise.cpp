@@ -11,17 +11,17 @@ namespace {
 
 // kinect_v1 (and Xtion, of the same sensor): axial noise of Nguyen, Izadi, Lovell, "Modeling Kinect sensor noise for
 // improved 3D reconstruction and tracking" (3DIMPVT 2012): 0.0012 + 0.0019 (z - 0.4)^2.
+//
 // realsense (D435): Ahn, Chae, Lee, Lee, "Analysis and noise modeling of the Intel RealSense D435 for mobile robots"
-// (UR 2019), axial part for a surface seen from the front. realsense_d415: the depth error of stereo, z^2 * subpixel /
-// (focal length * baseline), after Intel's "Best-known methods for tuning D400 depth cameras", with 0.08 px, 1004 px
-// (1280x720, 65 degrees) and 55 mm, and on top of it the rounding to whole millimetres. azure_kinect: time of flight,
-// from below 1 mm at 0.5 m to some millimetres at 3.5 m; Toelgyessy, Dekan, Chovanec, Hubinsky, "Evaluation of the
-// Azure Kinect and its comparison to Kinect v1 and Kinect v2" (Sensors 2021), stays well below the 17 mm that its maker
-// allows.
+// (UR 2019), axial part for a surface seen from the front. A D415 is quieter from pixel to pixel, but its errors are
+// alike over tens of pixels, and over those it is nearly as noisy.
+//
+// azure_kinect: time of flight, from about 1 mm at 0.5 m to 4 mm at 3.5 m, which is well below the 17 mm of its data
+// sheet (confirmed by Toelgyessy, Dekan, Chovanec, Hubinsky, "Evaluation of the Azure Kinect and its comparison to
+// Kinect v1 and Kinect v2", Sensors 2021).
 const std::map<std::string, DepthNoise>& presets() {
   static const std::map<std::string, DepthNoise> presets{{"kinect_v1", {0.0015, -0.0015, 0.0019}},
                                                          {"realsense", {0.00163, 0.00073, 0.00395}},
-                                                         {"realsense_d415", {0.0003, 0, 0.00145}},
                                                          {"azure_kinect", {0.0005, 0.001, 0}}};
   return presets;
 }
@@ -32,7 +32,7 @@ const Parameters<SensorParams>& SensorParams::parameters() {
   using P = SensorParams;
   static const auto parameters =
       Parameters<P>()
-          .choice("noise", &P::noise, {"kinect_v1", "realsense", "realsense_d415", "azure_kinect", "custom"},
+          .choice("noise", &P::noise, {"kinect_v1", "realsense", "azure_kinect", "custom"},
                   "noise of the depth readings; custom: sigma(z) = constant + linear z + quadratic z^2")
           .real("constant", &P::constant, -1, 1, "m", "of custom noise")
           .real("linear", &P::linear, -1, 1, "", "of custom noise")

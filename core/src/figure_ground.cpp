@@ -340,7 +340,8 @@ const Parameters<FigureGroundParams>& FigureGroundParams::parameters() {
           .real("smallest_support", &P::smallest_support, 0, 1000, "m^2",
                 "tables that do not touch the ground have at least this area")
           .real("largest_remainder", &P::largest_remainder, 0, 1, "",
-                "a share of the frame's points below this is noise");
+                "a share of the frame's points below this is noise")
+          .boolean("separate", &P::separate, "an object's surface and the background's are never joined");
   return parameters;
 }
 

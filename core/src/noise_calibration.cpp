@@ -14,8 +14,9 @@ namespace gestalt {
 
 namespace {
 
-constexpr double window_angle = 0.032;  // rad, 17 px of a Kinect; noise of neighbouring pixels is alike, so not smaller
-constexpr double bin_ratio = 1.15;      // far end of a bin over its near end
+constexpr double window_angle = 0.064;      // rad, 33 px of a Kinect: errors are alike over ten pixels and more
+constexpr double bin_ratio = 1.15;          // far end of a bin over its near end
+constexpr double reading_unit = 1e-4;       // m
 constexpr std::size_t fewest_windows = 20;  // of a bin
 constexpr double least_share_valid = 0.8;   // of a window's pixels
 
@@ -52,12 +53,12 @@ std::optional<std::pair<double, double>> depth_and_variance(const Frame& frame, 
   return std::pair(depth, std::max(0.0, residual) / (samples - 3) * std::pow(depth, 4));
 }
 
-/// Distance of neighbouring readings, the median over those that occur.
-double step_between(const std::set<float>& readings) {
+/// Distance of neighbouring readings in metres, the median over those that occur.
+double step_between(const std::set<int>& readings) {
   std::vector<float> gaps;
-  for (auto reading = readings.begin(); reading != readings.end(); ++reading)
-    if (const auto next = std::next(reading); next != readings.end()) gaps.push_back(*next - *reading);
-  return gaps.empty() ? 0 : double(middle(std::move(gaps), 0.5));
+  for (auto reading = readings.begin(); std::next(reading) != readings.end(); ++reading)
+    gaps.push_back(float(*std::next(reading) - *reading));
+  return reading_unit * double(middle(std::move(gaps), 0.5));
 }
 
 /// The coefficients, none negative, with the least squared relative error over the bins: the best of those fits in
@@ -89,20 +90,20 @@ DepthNoise fit(const std::vector<NoiseBin>& bins) {
 void NoiseCalibration::add(const Frame& frame) {
   const double focal_length = std::sqrt(frame.camera.fx * frame.camera.fy);
   const int side = std::max(5, int(std::lround(window_angle * focal_length)));
-  for (int v = 0; v + side <= frame.height(); v += side)
-    for (int u = 0; u + side <= frame.width(); u += side) {
+  for (int v = 0; v + side <= frame.height(); v += side / 2)
+    for (int u = 0; u + side <= frame.width(); u += side / 2) {
       int samples = 0;
       if (const auto found = depth_and_variance(frame, u, v, side, samples))
         bins_[bin_of(found->first)].windows.push_back({float(found->first), float(found->second), samples});
     }
   for (const float z : frame.depth)
-    if (z > 0) bins_[bin_of(z)].readings.insert(z);
+    if (z > 0) bins_[bin_of(z)].readings.insert(int(std::lround(double(z) / reading_unit)));
 }
 
 std::vector<NoiseBin> NoiseCalibration::bins(const DepthNoise* known) const {
   std::vector<NoiseBin> found;
   for (const auto& [number, bin] : bins_) {
-    if (bin.windows.size() < fewest_windows) continue;
+    if (bin.windows.size() < fewest_windows || bin.readings.size() < 2) continue;
     std::vector<float> variances;
     double depth = 0;
     for (const Window& window : bin.windows) {

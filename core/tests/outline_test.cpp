@@ -24,15 +24,15 @@ TEST(Outline, OfAShortContourHasAllItsPixels) {
 
 TEST(Outline, OfALongContourIsSpreadEvenly) {
   const auto outlines = outlines_of(test::render({{{20, 30, 400, 300}, {0, 0, 1}, facing}}));
-  const std::size_t contour = 2 * (400 + 300) - 4, step = 6;
+  const std::size_t contour = 2 * (400 + 300) - 4, step = 11;
   EXPECT_EQ(outlines.at(0).pixels.size(), (contour + step - 1) / step);
 }
 
 TEST(Outline, HasTheContoursOfHolesToo) {
   const auto outlines =
-      outlines_of(test::render({{{20, 30, 40, 40}, {0, 0, 1}, facing}, {{30, 40, 10, 10}, {0, 0, 0.9f}, facing}}));
-  // The pixels around a hole of 10 x 10, without its corners, which no 8-connected walk needs.
-  EXPECT_EQ(outlines.at(0).pixels.size(), (4u * 40 - 4) + 4 * 10);
+      outlines_of(test::render({{{20, 30, 30, 30}, {0, 0, 1}, facing}, {{30, 40, 2, 2}, {0, 0, 0.9f}, facing}}));
+  // The pixels around a hole of 2 x 2, without its corners, which no 8-connected walk needs.
+  EXPECT_EQ(outlines.at(0).pixels.size(), ((4u * 30 - 4) + 4 * 2));
 }
 
 TEST(Outline, LiesOnTheFittedSurface) {
@@ -49,6 +49,27 @@ TEST(Outline, LiesOnTheFittedSurface) {
 TEST(Outline, OfOnePixelIsThatPixel) {
   const auto outlines = outlines_of(test::render({{{3, 2, 1, 1}, {0, 0, 1}, facing}}));
   EXPECT_EQ(outlines.at(0).pixels, std::vector<int>{2 * 640 + 3});
+}
+
+TEST(NearestPoints, AreTheNearestShareAndTheFirstOfEquals) {
+  Eigen::Matrix3Xf from(3, 4), to(3, 3);
+  from << 0, 1, 2, 3, /**/ 0, 0, 0, 0, /**/ 0, 0, 0, 0;
+  to << 5, 4, 4, /**/ 0, 0, 0, /**/ 0, 0, 0;
+  const auto half = nearest_points(from, to, 0.5);
+  ASSERT_EQ(half.size(), 2u);
+  for (const NearestPoint& point : half) {
+    EXPECT_GE(point.from, 2);
+    EXPECT_EQ(point.to, 1);
+    EXPECT_EQ(point.squared_distance, float((4 - point.from) * (4 - point.from)));
+  }
+  EXPECT_EQ(nearest_points(from, to, 1e-6).size(), 1u);
+  EXPECT_EQ(nearest_points(from, to, 1).size(), 4u);
+}
+
+TEST(SpreadColumns, AreEvenlySpreadOrAll) {
+  const auto outlines = outlines_of(test::render({{{20, 30, 10, 5}, {0, 0, 1}, facing}}));
+  EXPECT_EQ(spread_columns(outlines.at(0), 13), (std::vector<int>{0, 2, 4, 6, 8, 10, 12, 14, 16, 18, 20, 22, 24}));
+  EXPECT_EQ(spread_columns(outlines.at(0), 100).size(), 26u);
 }
 
 }  // namespace

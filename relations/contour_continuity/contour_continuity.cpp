@@ -15,29 +15,6 @@ namespace gestalt {
 
 namespace {
 
-/// A point of one outline with the nearest point of the other.
-struct Nearest {
-  float squared_distance = std::numeric_limits<float>::infinity();
-  int from = 0;
-  int to = 0;
-
-  bool operator<(const Nearest& other) const {
-    return squared_distance != other.squared_distance ? squared_distance < other.squared_distance : from < other.from;
-  }
-};
-
-std::vector<Nearest> nearest_points(const Outline& from, const Outline& to) {
-  std::vector<Nearest> nearest(from.pixels.size());
-  Eigen::RowVectorXf distances(to.points.cols());
-  for (Eigen::Index i = 0; i < from.points.cols(); ++i) {
-    distances.noalias() = (to.points.colwise() - from.points.col(i)).colwise().squaredNorm();
-    const float smallest = distances.minCoeff();
-    const auto j = std::find(distances.begin(), distances.end(), smallest) - distances.begin();
-    nearest[std::size_t(i)] = {smallest, int(i), int(j)};
-  }
-  return nearest;
-}
-
 class ContourContinuityMeasure final : public Measure {
  public:
   ContourContinuityMeasure(const Scene& scene, double share) : outlines_(scene.outlines()), share_(share) {}
@@ -60,12 +37,9 @@ class ContourContinuityMeasure final : public Measure {
   };
 
   void add_nearest(const Outline& from, const Outline& to, Sums& sums) const {
-    std::vector<Nearest> nearest = nearest_points(from, to);
-    const auto kept = std::ptrdiff_t(std::ceil(share_ * double(nearest.size())));
-    std::nth_element(nearest.begin(), nearest.begin() + kept - 1, nearest.end());
-    for (auto n = nearest.begin(); n != nearest.begin() + kept; ++n) {
-      const Eigen::Vector3f normal = from.normals.col(n->from), other = to.normals.col(n->to);
-      const Eigen::Vector3f gap = to.points.col(n->to) - from.points.col(n->from);
+    for (const NearestPoint& n : nearest_points(from.points, to.points, share_)) {
+      const Eigen::Vector3f normal = from.normals.col(n.from), other = to.normals.col(n.to);
+      const Eigen::Vector3f gap = to.points.col(n.to) - from.points.col(n.from);
       sums.angle += double(angle_between(normal, other));
       sums.distance += double(std::abs(normal.dot(gap)) + std::abs(other.dot(gap))) / 2;
       sums.count += 1;

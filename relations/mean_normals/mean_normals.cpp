@@ -15,6 +15,9 @@ namespace gestalt {
 
 namespace {
 
+// Variance that normals in single precision may have though they are equal.
+constexpr double rounding = 1e-6;
+
 struct Normals {
   Eigen::Vector3f mean;
   double variance;
@@ -38,7 +41,8 @@ Normals normals_of(const Scene& scene, const Surface& surface, const MeanNormals
     count += 1;
   }
   const Eigen::Vector3d mean = sum / count;
-  return {mean.cast<float>(), std::clamp(squares / count - mean.squaredNorm(), 0.0, 1.0)};
+  const double variance = squares / count - mean.squaredNorm();
+  return {mean.cast<float>(), variance < rounding ? 0.0 : std::min(variance, 1.0)};
 }
 
 class MeanNormalsMeasure final : public Measure {

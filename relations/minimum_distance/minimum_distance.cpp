@@ -18,9 +18,13 @@ class MinimumDistanceMeasure final : public Measure {
   void operator()(const SurfacePair& pair, std::span<double> values) const override {
     const Eigen::Matrix3Xf& a = outlines_[std::size_t(std::min(pair.a, pair.b))].points;
     const Eigen::Matrix3Xf& b = outlines_[std::size_t(std::max(pair.a, pair.b))].points;
+    const SquaredDistances distances_to(b);
+    Eigen::ArrayXf distances(b.cols());
     float nearest = std::numeric_limits<float>::infinity();
-    for (Eigen::Index i = 0; i < a.cols(); ++i)
-      nearest = std::min(nearest, (b.colwise() - a.col(i)).colwise().squaredNorm().minCoeff());
+    for (Eigen::Index i = 0; i < a.cols(); ++i) {
+      distances_to(a.col(i), distances);
+      nearest = std::min(nearest, distances.minCoeff());
+    }
     values[0] = std::sqrt(nearest);
   }
 

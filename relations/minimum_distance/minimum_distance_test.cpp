@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <cmath>
+
 #include "test_scenes.h"
 
 namespace gestalt {
@@ -20,27 +22,27 @@ double r_md(const test::KnownScene& known) {
 const Eigen::Vector3f facing(0, 0, -1);
 
 TEST(MinimumDistance, AcrossAGapIsItsWidth) {
-  // Columns 100..139 and 160..199 of a wall 1 m away: 21 pixels from edge to edge.
-  const auto scene = test::render({{{100, 100, 40, 40}, {0, 0, 1}, facing}, {{160, 100, 40, 40}, {0, 0, 1}, facing}});
+  // Columns 100..129 and 150..179 of a wall 1 m away: 21 pixels from edge to edge.
+  const auto scene = test::render({{{100, 100, 30, 30}, {0, 0, 1}, facing}, {{150, 100, 30, 30}, {0, 0, 1}, facing}});
   EXPECT_NEAR(r_md(scene), 21 / 525.0, 1e-5);
 }
 
 TEST(MinimumDistance, OfDiagonalPatchesRunsFromCornerToCorner) {
-  const auto scene = test::render({{{100, 100, 40, 40}, {0, 0, 1}, facing}, {{142, 143, 40, 40}, {0, 0, 1}, facing}});
+  const auto scene = test::render({{{100, 100, 30, 30}, {0, 0, 1}, facing}, {{132, 133, 30, 30}, {0, 0, 1}, facing}});
   EXPECT_NEAR(r_md(scene), 5 / 525.0, 1e-5);
 }
 
 TEST(MinimumDistance, AcrossADepthJumpIsThatJump) {
   const auto scene =
-      test::render({{{100, 100, 40, 40}, {0, 0, 1}, facing}, {{140, 100, 40, 40}, {0, 0, 1.3f}, facing}});
+      test::render({{{100, 100, 30, 30}, {0, 0, 1}, facing}, {{130, 100, 30, 30}, {0, 0, 1.3f}, facing}});
   EXPECT_NEAR(r_md(scene), 0.3, 0.005);
 }
 
 TEST(MinimumDistance, OfLongContoursIsWithinItsBound) {
-  // A contour of 1396 pixels of which every sixth is taken, against a single pixel 10 px beside it.
+  // A contour of 1396 pixels of which every eleventh is taken, against a single pixel 10 px beside it.
   const auto scene = test::render({{{20, 30, 400, 300}, {0, 0, 1}, facing}, {{429, 151, 1, 1}, {0, 0, 1}, facing}});
   EXPECT_GE(r_md(scene), 10 / 525.0 - 1e-6);
-  EXPECT_LE(r_md(scene), (10 + 3) / 525.0);
+  EXPECT_LE(r_md(scene), std::hypot(10, 5.5) / 525);
 }
 
 TEST(MinimumDistance, StaysWhenTheSceneMoves) {

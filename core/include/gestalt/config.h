@@ -41,6 +41,7 @@ struct Config {
   LevelConfig structural;
   std::optional<LevelConfig> assembly;  ///< where the config has this section; never absent when with_assembly
   ComponentConfig solver;               ///< decision.solver
+  ParameterValues figure_ground;        ///< decision.figure_ground, of FigureGroundParams
 };
 
 /// A config file with everything it extends and the command line's overrides merged (docs/config.md tells how), before
@@ -78,6 +79,12 @@ class GESTALT_EXPORT ConfigTree {
 
 /// configs/default.yaml of this installation or build tree. Throws ConfigError when it is not there.
 GESTALT_EXPORT std::filesystem::path default_config();
+
+/// Everything in the config that surfaces and their roles follow from, as text: equal texts give equal ones.
+GESTALT_EXPORT std::string canonical_surfaces(const Config& config);
+
+/// Everything in the config that changes a result, as text; the model is no part of it.
+GESTALT_EXPORT std::string canonical(const Config& config);
 
 /// Hexadecimal hash (FNV-1a, 64 bits) of everything in the config, but the sensor, that changes the relation values of
 /// a level: two configs with equal hashes can share its model. Throws ConfigError when the config has no such level.

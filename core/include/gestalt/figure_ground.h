@@ -25,6 +25,7 @@ struct FigureGroundParams {
   double relative_area = 0.25;  ///< of the ground's area; a smaller plane is no wall, and no table in contact with it
   double smallest_support = 0.05;   ///< m^2; a smaller plane is no table, even when nothing connects it to the ground
   double largest_remainder = 0.02;  ///< of the frame's points; fewer than this beyond a plane are noise
+  bool separate = true;             ///< an object's surface and the background's are never joined
 
   static const Parameters<FigureGroundParams>& parameters();
 };

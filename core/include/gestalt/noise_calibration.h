@@ -15,9 +15,9 @@ namespace gestalt {
 struct NoiseBin {
   double depth = 0;         ///< m, the mean of its windows
   int windows = 0;          ///< planar windows that sigma is taken from
-  std::size_t samples = 0;  ///< pixels in them
+  std::size_t samples = 0;  ///< pixels in them, once for each window
   double sigma = 0;         ///< m, standard deviation of the readings about a plane
-  double step = 0;          ///< m, distance of two readings that the sensor tells apart; part of sigma
+  double step = 0;          ///< m, to 0.1 mm: distance of two readings that the sensor tells apart
 };
 
 struct NoiseEstimate {
@@ -28,11 +28,11 @@ struct NoiseEstimate {
 /// Estimates sigma(z) of a sensor from frames that show planes at some places, of whatever else there is.
 ///
 /// A plane's inverse depth is linear in the pixel (1/z = a u + b v + c). That is fitted to square windows all over the
-/// frame, 1.8 degrees wide, and each gives the standard deviation of its readings about the plane. In a bin of depths,
-/// windows of more than twice the lower quartile hold an edge or a curved surface and are left out; the bin's sigma is
-/// the median of the others, and no less than that of the readings' steps, step / sqrt(12), where all readings of a
-/// window may fall on one. sigma(z) is the polynomial nearest to the bins in relative error, weighted by windows;
-/// windows of more than twice that are left out in turn, and it is fitted anew.
+/// frame, 3.7 degrees wide and half overlapping, and each gives the standard deviation of its readings about the plane.
+/// In a bin of depths, windows of more than twice the lower quartile hold an edge or a curved surface and are left out;
+/// the bin's sigma is the median of the others, and no less than that of the readings' steps, step / sqrt(12), where
+/// all readings of a window may fall on one. sigma(z) is the polynomial nearest to the bins in relative error, weighted
+/// by windows; windows of more than twice that are left out in turn, and it is fitted anew.
 class GESTALT_EXPORT NoiseCalibration {
  public:
   void add(const Frame& frame);
@@ -48,7 +48,7 @@ class GESTALT_EXPORT NoiseCalibration {
   };
   struct Bin {
     std::vector<Window> windows;
-    std::set<float> readings;
+    std::set<int> readings;  // in 0.1 mm
   };
 
   /// The bins with enough planar windows. known: sigma(z) as far as it is known, or null.

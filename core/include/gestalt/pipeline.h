@@ -40,6 +40,11 @@ struct Percept {
   LevelTimes times;
 };
 
+/// The rows of the assembly table that the decision looks at: pairs of different structural groups, neither of the
+/// background. What lies beyond an object may be seen on both of its sides, so that the background is not grouped here.
+GESTALT_EXPORT std::vector<std::size_t> assembly_rows(const Percept& percept,
+                                                      const std::vector<int>& structural_groups);
+
 /// The segmenter: the components of a config, ready to run. Immutable; every method may be called from many threads at
 /// once, and gives the same result for any number of threads.
 class GESTALT_EXPORT Pipeline {
@@ -71,7 +76,6 @@ class GESTALT_EXPORT Pipeline {
   std::shared_ptr<const Clusterer> clusterer_;
   std::vector<std::shared_ptr<const Fitter>> fitters_;
   SurfaceModellingParams surface_modelling_;
-  FigureGroundParams figure_ground_;
   struct Grouping {
     std::vector<NamedRelation> relations;
     std::shared_ptr<const Classifier> classifier;
@@ -86,6 +90,8 @@ class GESTALT_EXPORT Pipeline {
   Grouping structural_;
   std::optional<Grouping> assembly_;
   std::shared_ptr<const Solver> solver_;
+  FigureGroundParams figure_ground_;
+  Graph structural_graph(const Percept& percept, const Model& model) const;
 };
 
 }  // namespace gestalt
