@@ -19,6 +19,9 @@ namespace gestalt {
 GESTALT_EXPORT nlohmann::json result_json(const Input& input, const Percept& percept, const Segmentation& segmentation,
                                           const LevelTimes& times, const nlohmann::json& config);
 
+/// The colour of a segment or patch in pictures and meshes, blue green red, by its number.
+GESTALT_EXPORT cv::Vec3b segment_colour(int label);
+
 /// CV_8UC3: the objects tinted over the colour image (over shaded depth when there is none), background untinted,
 /// with the outlines of all segments.
 GESTALT_EXPORT cv::Mat draw_segments(const Frame& frame, const Segmentation& segmentation);
