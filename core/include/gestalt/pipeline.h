@@ -37,6 +37,7 @@ struct Percept {
   std::vector<Role> roles;   ///< of each surface
   RelationTable structural;  ///< 3D neighbours
   RelationTable assembly;    ///< all other pairs; empty without the assembly level
+  double pixel_density = 1;  ///< of the frame's camera: by what the levels' minimum sizes were multiplied
   LevelTimes times;
 };
 
