@@ -203,7 +203,7 @@ TEST_F(Export, NamesThePlaceOfEveryDamage) {
       },
       {at_bspline, "vertices[0]", "[-1, 1]"});
   expect_damage_found([&](json& r) { shape(r, bspline)["degree"] = 9; }, {at_bspline, "'degree'"});
-  expect_damage_found([&](json& r) { shape(r, bspline)["degree"] = 1; }, {at_bspline, "knots_xi"});
+  expect_damage_found([&](json& r) { shape(r, bspline)["degree"] = 1; }, {at_bspline, "control_points"});
   expect_damage_found([&](json& r) { shape(r, bspline)["knots_xi"][1] = 0.7; }, {at_bspline, "'knots_xi' must ascend"});
   expect_damage_found([&](json& r) { shape(r, bspline)["knots_eta"] = {0, 1}; }, {at_bspline, "'knots_eta'"});
   expect_damage_found([&](json& r) { shape(r, bspline)["knots_eta"] = json(6, 0.5); }, {at_bspline, "'knots_eta'"});
@@ -222,6 +222,28 @@ TEST_F(Export, RefusesWhatIsNoResult) {
   expect_refused(run("{\"format\": \"gestalt-result\", \"version\": 1e999}"), 3, {"result.json"});
   expect_refused(run_gestalt({"export", folder.path() / "none.json", "--output", mesh}), 3, {"none.json", "not exist"});
   expect_refused(run_gestalt({"export", folder.path(), "--output", mesh}), 3, {"folder"});
+  EXPECT_FALSE(fs::exists(mesh));
+}
+
+TEST_F(Export, RefusesWhatWouldTakeForever) {
+  json spiral = json::array();  // out, and back beside itself
+  for (int i = 0; i < 10000; ++i)
+    spiral.push_back({(1 + 0.004 * i) * std::cos(0.05 * i), (1 + 0.004 * i) * std::sin(0.05 * i)});
+  for (int i = 9999; i >= 0; --i)
+    spiral.push_back({(1.1 + 0.004 * i) * std::cos(0.05 * i), (1.1 + 0.004 * i) * std::sin(0.05 * i)});
+  const std::size_t plane = patch_of_type(json::parse(stored_result()), "plane");
+  json result = json::parse(stored_result());
+  result["patches"][plane]["outlines"] = {{{"hole", false}, {"vertices", spiral}}};
+  expect_refused(run(result.dump(), {"--all"}), 3,
+                 {"result.json", "patches[" + std::to_string(plane) + "]", "tangled"});
+
+  result = json::parse(stored_result());
+  const std::size_t bspline = patch_of_type(result, "bspline");
+  int sign = 1;
+  for (json& row : result["patches"][bspline]["surface"]["control_points"])
+    for (json& point : row) point[2] = 1e4 * (sign = -sign);
+  expect_refused(run(result.dump(), {"--all", "--tolerance", "0.01"}), 3,
+                 {"result.json", "patches[" + std::to_string(bspline) + "]", "larger tolerance"});
   EXPECT_FALSE(fs::exists(mesh));
 }
 
