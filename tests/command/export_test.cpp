@@ -203,7 +203,7 @@ TEST_F(Export, NamesThePlaceOfEveryDamage) {
       },
       {at_bspline, "vertices[0]", "[-1, 1]"});
   expect_damage_found([&](json& r) { shape(r, bspline)["degree"] = 9; }, {at_bspline, "'degree'"});
-  expect_damage_found([&](json& r) { shape(r, bspline)["degree"] = 1; }, {at_bspline, "control_points"});
+  expect_damage_found([&](json& r) { shape(r, bspline)["degree"] = 1; }, {at_bspline, "knots_xi"});
   expect_damage_found([&](json& r) { shape(r, bspline)["knots_xi"][1] = 0.7; }, {at_bspline, "'knots_xi' must ascend"});
   expect_damage_found([&](json& r) { shape(r, bspline)["knots_eta"] = {0, 1}; }, {at_bspline, "'knots_eta'"});
   expect_damage_found([&](json& r) { shape(r, bspline)["knots_eta"] = json(6, 0.5); }, {at_bspline, "'knots_eta'"});
