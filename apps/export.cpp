@@ -11,6 +11,7 @@
 #include <sstream>
 
 #include "command.h"
+#include "gestalt/error.h"
 #include "gestalt/output_file.h"
 #include "gestalt/result.h"
 #include "gestalt/result_file.h"
@@ -52,11 +53,24 @@ struct Object {
   Storage storage;
 };
 
-Object reconstruct(const StoredResult& result, const StoredResult::Segment& segment, double tolerance) {
+constexpr std::size_t most_triangles = 5'000'000;  // of a file
+
+Mesh patch_mesh(const Options& options, const StoredResult& result, int patch) {
+  try {
+    return triangulate(result.patches[std::size_t(patch)], options.tolerance / 1000);
+  } catch (const InputError& error) {
+    throw InputError(options.result.string() + ": patches[" + std::to_string(patch) + "]: " + error.what());
+  }
+}
+
+Object reconstruct(const Options& options, const StoredResult& result, const StoredResult::Segment& segment) {
   Object object{segment.label, {}, {}};
   for (const int patch : segment.patches) {
     const TrimmedSurface& surface = result.patches[std::size_t(patch)];
-    const Mesh mesh = triangulate(surface, tolerance);
+    const Mesh mesh = patch_mesh(options, result, patch);
+    if (object.mesh.triangles.size() + mesh.triangles.size() > most_triangles)
+      throw InputError(options.result.string() + ": segment " + std::to_string(segment.label) + " takes more than " +
+                       std::to_string(most_triangles) + " triangles; allow a larger --tolerance");
     const int first = int(object.mesh.vertices.size());
     object.mesh.vertices.insert(object.mesh.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
     for (const auto& [a, b, c] : mesh.triangles) object.mesh.triangles.push_back({first + a, first + b, first + c});
@@ -81,9 +95,8 @@ std::string ply(const std::vector<Object>& objects) {
   }
   std::ostringstream out = text_stream();
   out << "ply\nformat ascii 1.0\nelement vertex " << vertices
-      << "\nproperty float x\nproperty float y\nproperty float z\nproperty uchar red\nproperty uchar green\nproperty "
-         "uchar "
-         "blue\nelement face "
+      << "\nproperty float x\nproperty float y\nproperty float z"
+         "\nproperty uchar red\nproperty uchar green\nproperty uchar blue\nelement face "
       << triangles << "\nproperty list uchar int vertex_indices\nproperty int label\nend_header\n";
   for (const Object& object : objects) {
     const cv::Vec3b colour = segment_colour(object.label);
@@ -146,7 +159,7 @@ int export_surfaces(const Options& options) {
   const StoredResult result = read_result(options.result);
   std::vector<Object> objects;
   for (const StoredResult::Segment& segment : result.segments)
-    if (options.all || !segment.background) objects.push_back(reconstruct(result, segment, options.tolerance / 1000));
+    if (options.all || !segment.background) objects.push_back(reconstruct(options, result, segment));
   write_file(options.output, options.format == "ply"   ? ply(objects)
                              : options.format == "obj" ? obj(objects)
                                                        : json(objects, result.scene));

@@ -26,7 +26,8 @@ Eigen::Vector3d TrimmedSurface::point(const Eigen::Vector2d& parameters) const {
 
 std::size_t TrimmedSurface::bytes() const {
   std::size_t count = std::visit([](const auto& s) { return numbers(s); }, shape);
-  for (const TrimmingOutline& outline : outlines) count += 1 + 2 * outline.vertices.size();  // one: how many, and if a hole
+  for (const TrimmingOutline& outline : outlines)
+    count += 1 + 2 * outline.vertices.size();  // one: how many, and if a hole
   return 4 * count;
 }
 

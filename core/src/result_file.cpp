@@ -82,7 +82,8 @@ std::vector<double> read_knots(const json& object, const std::string& key, int d
     fail("'" + key + "' must have " + std::to_string(2 * ends) + " to 1000 numbers for degree " +
          std::to_string(degree));
   if (!std::is_sorted(knots.begin(), knots.end())) fail("'" + key + "' must ascend");
-  if (knots[ends - 1] != 0 || knots[knots.size() - ends] != 1 || knots.front() < 0 || knots.back() > 1)
+  const auto zeros = std::count(knots.begin(), knots.end(), 0.0), ones = std::count(knots.begin(), knots.end(), 1.0);
+  if (knots.front() != 0 || knots.back() != 1 || zeros != degree + 1 || ones != degree + 1)
     fail("'" + key + "' must begin with " + std::to_string(ends) + " times 0 and end with as many times 1");
   return knots;
 }

@@ -8,8 +8,10 @@
 #include <limits>
 #include <map>
 #include <optional>
+#include <string>
 #include <utility>
 
+#include "gestalt/error.h"
 #include "gestalt/parametric_surface.h"
 
 namespace gestalt {
@@ -19,6 +21,10 @@ namespace {
 using Point = Eigen::Vector2d;
 using Triangle = std::array<int, 3>;
 using Ring = std::vector<int>;  // indices of vertices, in order around it
+
+// Far above what any scene needs, so that a file made to do harm ends in an error within a second.
+constexpr std::size_t most_tests = 500'000'000;  // whether a vertex lies in an ear
+constexpr std::size_t most_triangles = 1'000'000;
 
 /// Twice the area of a triangle, positive when it turns counter-clockwise.
 double area(const Point& a, const Point& b, const Point& c) {
@@ -153,12 +159,13 @@ class Polygons {
   }
 
   void clip_ears(Ring ring, std::vector<Triangle>& triangles) const {
-    std::size_t i = 0, misses = 0;
+    std::size_t i = 0, misses = 0, tests = 0;
     while (ring.size() > 2) {
       const std::size_t n = ring.size();
       const int before = ring[(i + n - 1) % n], here = ring[i], after = ring[(i + 1) % n];
       const double size = area(at(before), at(here), at(after));
       const bool stuck = misses >= n;  // the ring crosses itself
+      if ((tests += n) > most_tests) throw InputError("the outlines are too tangled to be triangulated");
       if (is_ear(ring, i) || size == 0 || stuck) {
         if (size > 0) triangles.push_back({before, here, after});
         ring.erase(ring.begin() + std::ptrdiff_t(i));
@@ -219,6 +226,9 @@ class Refinement {
       for (std::size_t k = 0; k < 3; ++k) m[k] = middle(t[(k + 1) % 3], t[(k + 2) % 3]);
     const auto count = std::count_if(m.begin(), m.end(), [](const auto& v) { return v.has_value(); });
     if (count == 0) {
+      if (mesh_.triangles.size() == most_triangles)
+        throw InputError("more than " + std::to_string(most_triangles) +
+                         " triangles are needed; allow a larger tolerance");
       mesh_.triangles.push_back(t);
       return;
     }

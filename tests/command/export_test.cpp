@@ -225,6 +225,28 @@ TEST_F(Export, RefusesWhatIsNoResult) {
   EXPECT_FALSE(fs::exists(mesh));
 }
 
+TEST_F(Export, RefusesWhatWouldTakeForever) {
+  json spiral = json::array();  // out, and back beside itself
+  for (int i = 0; i < 10000; ++i)
+    spiral.push_back({(1 + 0.004 * i) * std::cos(0.05 * i), (1 + 0.004 * i) * std::sin(0.05 * i)});
+  for (int i = 9999; i >= 0; --i)
+    spiral.push_back({(1.1 + 0.004 * i) * std::cos(0.05 * i), (1.1 + 0.004 * i) * std::sin(0.05 * i)});
+  const std::size_t plane = patch_of_type(json::parse(stored_result()), "plane");
+  json result = json::parse(stored_result());
+  result["patches"][plane]["outlines"] = {{{"hole", false}, {"vertices", spiral}}};
+  expect_refused(run(result.dump(), {"--all"}), 3,
+                 {"result.json", "patches[" + std::to_string(plane) + "]", "tangled"});
+
+  result = json::parse(stored_result());
+  const std::size_t bspline = patch_of_type(result, "bspline");
+  int sign = 1;
+  for (json& row : result["patches"][bspline]["surface"]["control_points"])
+    for (json& point : row) point[2] = 1e4 * (sign = -sign);
+  expect_refused(run(result.dump(), {"--all", "--tolerance", "0.01"}), 3,
+                 {"result.json", "patches[" + std::to_string(bspline) + "]", "larger tolerance"});
+  EXPECT_FALSE(fs::exists(mesh));
+}
+
 TEST_F(Export, RefusesWrongUsage) {
   EXPECT_EQ(run(stored_result(), {"--format", "stl"}).code, 2);
   EXPECT_EQ(run(stored_result(), {"--tolerance", "0"}).code, 2);

@@ -45,10 +45,11 @@ struct Mesh {
 
 /// The triangles of polygons with holes, as indices into the vertices of all outlines, one after the other. They have
 /// one orientation (positive area) and cover exactly the polygons where these do not cross themselves; a hole outside
-/// of all polygons is left out, and so is what has no area.
+/// of all polygons is left out, and so is what has no area. Throws InputError when the outlines are hopelessly tangled.
 GESTALT_EXPORT std::vector<std::array<int, 3>> triangulate(const std::vector<TrimmingOutline>& outlines);
 
 /// The part of a surface within its outlines, as triangles whose edges are no farther than tolerance (m) from it.
+/// Throws InputError when that would take a million triangles.
 GESTALT_EXPORT Mesh triangulate(const TrimmedSurface& surface, double tolerance);
 
 }  // namespace gestalt
