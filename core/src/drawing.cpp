@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "drawing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -9,9 +11,6 @@
 
 namespace gestalt {
 
-namespace {
-
-/// A colour for each label: hues a golden section apart, so that neighbouring numbers differ most.
 cv::Vec3b colour_of(int label) {
   const double hue = std::fmod(label * 0.618033988749895, 1.0) * 6;
   const double value = label % 3 == 1 ? 0.75 : 1.0, saturation = label % 2 == 0 ? 0.65 : 0.9;
@@ -22,7 +21,6 @@ cv::Vec3b colour_of(int label) {
   return {channel(1), channel(3), channel(5)};
 }
 
-/// The colour image, or depth as grey from near (bright) to far.
 cv::Mat backdrop(const Frame& frame) {
   if (frame.has_colour()) return frame.colour;
   double nearest, farthest;
@@ -34,8 +32,6 @@ cv::Mat backdrop(const Frame& frame) {
   cv::cvtColor(grey, picture, cv::COLOR_GRAY2BGR);
   return picture;
 }
-
-}  // namespace
 
 cv::Mat draw_segments(const Frame& frame, const cv::Mat_<std::uint16_t>& labels) {
   const cv::Mat below = backdrop(frame);

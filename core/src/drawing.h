@@ -1,0 +1,17 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <opencv2/core.hpp>
+
+#include "gestalt/frame.h"
+
+namespace gestalt {
+
+/// A colour for each label, blue green red: hues a golden section apart, so that neighbouring numbers differ most.
+cv::Vec3b colour_of(int label);
+
+/// CV_8UC3: the colour image, or depth as grey from near (bright) to far.
+cv::Mat backdrop(const Frame& frame);
+
+}  // namespace gestalt
