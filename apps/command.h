@@ -22,8 +22,12 @@ void add_segment(CLI::App& app, Run& run);
 void add_train(CLI::App& app, Run& run);
 void add_evaluate(CLI::App& app, Run& run);
 void add_synthesize(CLI::App& app, Run& run);
+void add_convert(CLI::App& app, Run& run);
+void add_ablate(CLI::App& app, Run& run);
+void add_reproduce(CLI::App& app, Run& run);
 void add_plugins(CLI::App& app, Run& run);
 void add_config(CLI::App& app, Run& run);
 void add_info(CLI::App& app, Run& run);
+void add_calibrate_noise(CLI::App& app, Run& run);
 
 }  // namespace gestalt::app

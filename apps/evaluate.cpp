@@ -29,6 +29,9 @@ namespace {
 namespace fs = std::filesystem;
 using Labels = cv::Mat_<std::uint16_t>;
 
+constexpr const char* labels_image = "labels.png";
+constexpr const char* objects_image = "objects.png";
+
 struct Options {
   std::vector<fs::path> scenes;
   PipelineOptions pipeline;
@@ -36,7 +39,7 @@ struct Options {
   std::uint64_t seed = 0;
   std::vector<fs::path> additional;  ///< scenes that every fold also learns from
   fs::path predictions;              ///< empty: run the pipeline
-  std::string image = "labels.png";
+  std::string image{labels_image};   ///< of the results: labels.png or objects.png; of predictions: any name
   bool parts = false;
   fs::path output;  ///< empty: write no label images
   bool json = false;
@@ -44,45 +47,15 @@ struct Options {
   RegionKind regions() const { return parts ? RegionKind::parts : RegionKind::objects; }
 };
 
-/// The folder that a scene is in.
-fs::path folder_of(const fs::path& scene) {
-  const fs::path path = fs::absolute(scene).lexically_normal();
-  return path.has_filename() ? path.parent_path() : path.parent_path().parent_path();
-}
-
-/// Category of each scene, from the file <folder>.csv beside the folder that it is in; "" when there is none.
-std::vector<std::string> scene_categories(const std::vector<fs::path>& scenes) {
-  std::map<fs::path, std::map<std::string, std::string>> known;
-  std::vector<std::string> categories;
-  for (const fs::path& scene : scenes) {
-    const fs::path file = folder_of(scene).string() + ".csv";
-    if (!known.contains(file)) known.emplace(file, read_categories(file));
-    const auto found = known[file].find(scene_name(scene));
-    categories.push_back(found == known[file].end() ? "" : found->second);
-  }
-  return categories;
-}
-
-Labels with_depth_only(const Labels& ground_truth, const cv::Mat& depth) {
-  Labels labels = ground_truth.clone();
-  labels.setTo(0, depth == 0);
-  return labels;
-}
-
-Labels ground_truth_of(const Input& input) {
-  if (input.ground_truth.empty())
-    throw InputError(input.path.string() +
-                     ": has no ground truth to score against; give scenes with a label.png or clouds with labels");
-  return with_depth_only(input.ground_truth, input.frame.depth);
-}
-
 /// Ground truth of a scene that need not be segmented: neither camera nor colour is looked for in a folder.
 Labels read_ground_truth(const fs::path& scene) {
-  if (!fs::is_directory(scene)) return ground_truth_of(read_scene(scene));
-  const Labels labels = read_label_image(scene / "label.png"), depth = read_label_image(scene / "depth.png");
+  if (!fs::is_directory(scene)) return scored_ground_truth(read_scene(scene));
+  Labels labels = read_label_image(scene / "label.png");
+  const Labels depth = read_label_image(scene / "depth.png");
   if (labels.size() != depth.size())
     throw InputError(scene.string() + ": label.png and depth.png differ in size; they must be of one camera image");
-  return with_depth_only(labels, depth);
+  labels.setTo(0, depth == 0);
+  return labels;
 }
 
 Labels read_prediction(const Options& options, const std::string& scene, cv::Size size) {
@@ -133,7 +106,15 @@ class Evaluation {
 
   void score(std::size_t scene, const Labels& ground_truth, const Labels& labels) {
     scores[scene] = score_image(ground_truth, labels, options_.regions());
-    if (!options_.output.empty()) write_png(options_.output / scene_name(scenes[scene]) / "labels.png", labels);
+  }
+
+  void score(std::size_t scene, const Labels& ground_truth, const Segmentation& segmentation) {
+    const Labels objects = object_labels(segmentation);
+    score(scene, ground_truth, options_.image == objects_image ? objects : segmentation.labels);
+    if (options_.output.empty()) return;
+    const fs::path folder = options_.output / scene_name(scenes[scene]);
+    write_files(
+        {{folder / labels_image, encode_png(segmentation.labels)}, {folder / objects_image, encode_png(objects)}});
   }
 
   /// Prints errors and scores. Throws the first error when no scene could be scored.
@@ -195,15 +176,15 @@ int score_model(const Options& options) {
   Evaluation evaluation(options);
   evaluation.for_each_scene([&](std::size_t i) {
     const Input input = read_scene(evaluation.scenes[i]);
-    const Labels ground_truth = ground_truth_of(input);
-    evaluation.score(i, ground_truth, pipeline.decide(pipeline.perceive(input.frame), models).labels);
+    const Labels ground_truth = scored_ground_truth(input);
+    evaluation.score(i, ground_truth, pipeline.decide(pipeline.perceive(input.frame), models));
   });
   return evaluation.report(config_name(options));
 }
 
 LearningScene learning_scene(const Pipeline& pipeline, const fs::path& scene) {
   const Input input = read_scene(scene);
-  return make_learning_scene(pipeline, input.frame, ground_truth_of(input));
+  return make_learning_scene(pipeline, input.frame, scored_ground_truth(input));
 }
 
 std::vector<const LearningScene*> pointers(const std::vector<LearningScene>& scenes) {
@@ -239,7 +220,7 @@ int cross_validate(const Options& options) {
 
   evaluation.for_each_scene([&](std::size_t i) {
     const Labels ground_truth = read_ground_truth(evaluation.scenes[i]);
-    evaluation.score(i, ground_truth, pipeline.decide(perceived[i].percept, models[std::size_t(fold[i])]).labels);
+    evaluation.score(i, ground_truth, pipeline.decide(perceived[i].percept, models[std::size_t(fold[i])]));
   });
   return evaluation.report(config_name(options) + ", " + std::to_string(options.folds) + "-fold cross-validation",
                            pairs);
@@ -248,6 +229,8 @@ int cross_validate(const Options& options) {
 int evaluate(const Options& options) {
   const ThreadLimit limit(options.pipeline.threads);
   if (!options.predictions.empty()) return score_predictions(options);
+  if (options.image != labels_image && options.image != objects_image)
+    throw ConfigError("--image " + options.image + ": without --predictions it is labels.png or objects.png");
   return options.folds > 0 ? cross_validate(options) : score_model(options);
 }
 
@@ -267,10 +250,13 @@ void add_evaluate(CLI::App& app, Run& run) {
   CLI::Option* predictions =
       command
           .add_option("--predictions", options->predictions,
-                      "Score the label images DIR/<scene>/labels.png or DIR/<scene>.png and run nothing")
+                      "Score the label images DIR/<scene>/labels.png (or --image) or DIR/<scene>.png and run nothing")
           ->type_name("DIR");
-  command.add_option("--image", options->image, "Name of the label image in a scene's folder of predictions")
-      ->needs(predictions)
+  command
+      .add_option(
+          "--image", options->image,
+          "Which result to score: labels.png, or objects.png, where background is 0; with --predictions any file's "
+          "name")
       ->type_name("FILE");
   CLI::Option* folds = command
                            .add_option("--cross-validate", options->folds,
@@ -287,7 +273,7 @@ void add_evaluate(CLI::App& app, Run& run) {
       ->needs(folds)
       ->type_name("SCENES");
   command.add_flag("--parts", options->parts, "Regions are the visible parts of objects, not whole objects");
-  command.add_option("--output", options->output, "Also write DIR/<scene>/labels.png")
+  command.add_option("--output", options->output, "Also write DIR/<scene>/labels.png and objects.png")
       ->check(not_empty)
       ->excludes(predictions)
       ->type_name("DIR");

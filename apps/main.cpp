@@ -50,10 +50,14 @@ int main(int argc, char** argv) {
   add_segment(app, run);
   add_train(app, run);
   add_evaluate(app, run);
+  add_ablate(app, run);
+  add_reproduce(app, run);
   add_synthesize(app, run);
+  add_convert(app, run);
   add_plugins(app, run);
   add_config(app, run);
   add_info(app, run);
+  add_calibrate_noise(app, run);
   try {
     if (argc > 1) require_known(app, argv[1]);
     app.parse(argc, argv);

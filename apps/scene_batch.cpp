@@ -3,44 +3,14 @@
 
 #include "scene_batch.h"
 
-#include <unistd.h>
-
 #include <iostream>
 #include <string>
 
 #include "command.h"
 #include "gestalt/error.h"
+#include "progress_bar.h"
 
 namespace gestalt::app {
-
-namespace {
-
-/// One line on stderr that is drawn over itself.
-class ProgressBar {
- public:
-  explicit ProgressBar(std::size_t total) : total_(total), shown_(total > 1 && ::isatty(STDERR_FILENO)) {}
-  ~ProgressBar() { clear(); }
-  ProgressBar(const ProgressBar&) = delete;
-  ProgressBar& operator=(const ProgressBar&) = delete;
-
-  void show(std::size_t done, const std::string& scene) const {
-    if (!shown_) return;
-    constexpr std::size_t width = 30;
-    const std::size_t full = width * done / total_;
-    clear();
-    std::cerr << '[' << std::string(full, '#') << std::string(width - full, ' ') << "] " << done << '/' << total_ << ' '
-              << scene << std::flush;
-  }
-  void clear() const {
-    if (shown_) std::cerr << "\r\033[K" << std::flush;
-  }
-
- private:
-  std::size_t total_;
-  bool shown_;
-};
-
-}  // namespace
 
 int for_each_scene(const std::vector<std::filesystem::path>& scenes,
                    const std::function<std::string(const std::filesystem::path&)>& work) {

@@ -11,6 +11,7 @@
 #include <vector>
 
 #include "command.h"
+#include "gestalt/scene_folder.h"
 #include "gestalt/synthesis.h"
 #include "pipeline_options.h"
 

@@ -4,15 +4,14 @@
 
 #include "gestalt/clusterer.h"
 #include "gestalt/parameters.h"
-#include "normal_estimation.h"
-#include "patch_growing.h"
+#include "tolerances.h"
 
 namespace gestalt {
 
 /// Planar patches by recursive clustering of z-adaptive normals (paper, Section 3, on one level of the pyramid).
 class Normals final : public Clusterer {
  public:
-  struct Params : NormalParams, GrowingParams {};
+  struct Params : ToleranceParams {};
   static const Parameters<Params>& parameters();
 
   explicit Normals(const Params& params) : params_(params) {}

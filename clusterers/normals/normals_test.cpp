@@ -12,24 +12,6 @@ namespace {
 
 int label_at(const PatchMap& map, int u, int v) { return map.labels(v, u); }
 
-TEST(Normals, OfAPlaneAreItsNormal) {
-  const auto scene = test::ridge(true);
-  const NormalMap map = estimate_normals(scene.frame, {});
-  const cv::Vec3f left = map.normals(240, 270), right = map.normals(240, 370);
-  EXPECT_NEAR(left[0], -std::sqrt(0.5f), 2e-3);
-  EXPECT_NEAR(right[0], std::sqrt(0.5f), 2e-3);
-  EXPECT_NEAR(left[2], -std::sqrt(0.5f), 2e-3);
-  EXPECT_LT(map.curvature(240, 270), 1e-4f);
-  EXPECT_GT(map.curvature(240, 320), 1e-2f);
-  EXPECT_EQ(map.curvature(0, 0), 1.f);
-}
-
-TEST(Normals, DoNotCrossADepthJump) {
-  const auto scene = test::rectangle_before_wall();
-  const NormalMap map = estimate_normals(scene.frame, {});
-  for (const int u : {257, 258, 259, 260, 261, 262}) EXPECT_LT(map.normals(240, u)[2], -0.999f) << u;
-}
-
 TEST(Normals, CutsARidgeInTwoPatches) {
   const PatchMap map = Normals({}).cluster(test::ridge(true).frame);
   EXPECT_EQ(map.count, 2);
@@ -46,13 +28,13 @@ TEST(Normals, CutsAStepInParallelPlanes) {
 }
 
 TEST(Normals, LeavesASpeckInNoPatch) {
-  const auto scene = test::render({{{3, 2, 1, 1}, {0, 0, 1}, {0, 0, -1}}}, test::kinect(8, 6));
+  const auto scene = test::render({{{300, 200, 1, 1}, {0, 0, 1}, {0, 0, -1}}});
   EXPECT_EQ(Normals({}).cluster(scene.frame).count, 0);
   Normals::Params all;
   all.smallest_island = 0;
   const PatchMap map = Normals(all).cluster(scene.frame);
   EXPECT_EQ(map.count, 1);
-  EXPECT_EQ(label_at(map, 3, 2), 1);
+  EXPECT_EQ(label_at(map, 300, 200), 1);
   EXPECT_EQ(cv::countNonZero(map.labels), 1);
 }
 

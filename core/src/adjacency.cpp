@@ -9,6 +9,11 @@
 
 namespace gestalt {
 
+bool are_close(const Frame& frame, const PixelPair& pair, double reach) {
+  const double a = frame.depth(pair.a), b = frame.depth(pair.b), z = std::min(a, b);
+  return std::abs(a - b) < reach * (frame.noise.at(z) + z / std::min(frame.camera.fx, frame.camera.fy));
+}
+
 std::vector<Adjacency> find_adjacencies(const Frame& frame, const cv::Mat_<int>& labels,
                                         const SurfaceModellingParams& params) {
   std::vector<Adjacency> adjacencies;
@@ -24,8 +29,7 @@ std::vector<Adjacency> find_adjacencies(const Frame& frame, const cv::Mat_<int>&
     if (fresh) adjacencies.push_back({label_p - 1, label_q - 1, {}, {}});
     Adjacency& adjacency = adjacencies[entry->second];
     adjacency.border_2d.push_back({p, q});
-    const float zp = frame.depth(p), zq = frame.depth(q);
-    if (std::abs(zp - zq) < params.border_depth_per_metre * std::min(zp, zq)) adjacency.border_3d.push_back({p, q});
+    if (are_close(frame, {p, q}, params.border_depth)) adjacency.border_3d.push_back({p, q});
   };
   for (int v = 0; v < height; ++v) {
     const int* row = labels[v];

@@ -47,7 +47,7 @@ nlohmann::json ConfigTree::to_json(const Registry& registry) const {
 }
 
 std::filesystem::path default_config() {
-  const std::filesystem::path file = data_directory() / "configs" / "paper.yaml";
+  const std::filesystem::path file = data_directory() / "configs" / "default.yaml";
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored))
     throw ConfigError("the default config '" + file.string() +

@@ -48,7 +48,7 @@ class Layer {
          section("primitive", {list("fitters", draft_.fitters), settings("model_selection", draft_.model_selection)}),
          level("structural", draft_.structural),
          level("assembly", draft_.assembly),
-         section("decision", {component("solver", draft_.solver)})});
+         section("decision", {component("solver", draft_.solver), settings("figure_ground", draft_.figure_ground)})});
   }
 
  private:

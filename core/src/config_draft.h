@@ -58,6 +58,7 @@ struct Draft {
   LevelDraft structural;
   LevelDraft assembly;
   ComponentDraft solver;
+  Settings figure_ground;
 };
 
 /// Merges a layer over the draft. schema_version and extends belong to a file and are left alone;

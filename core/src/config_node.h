@@ -13,7 +13,7 @@ namespace gestalt::config {
 /// A text that config values are read from: a file, or one override of the command line.
 struct Source {
   std::string name;                 ///< in errors: the file, or "--set path=value"
-  std::string label;                ///< as provenance: "paper.yaml", or "--set"
+  std::string label;                ///< as provenance: "default.yaml", or "--set"
   std::filesystem::path directory;  ///< absolute; what relative paths in it are relative to
   bool has_lines;                   ///< false for an override
 };
@@ -24,9 +24,9 @@ struct Place {
   int line = 1;
   int column = 1;
 
-  /// For errors: "configs/paper.yaml:12:3", or "--set path=value".
+  /// For errors: "configs/default.yaml:12:3", or "--set path=value".
   std::string text() const;
-  /// For provenance: "paper.yaml:12", or "--set".
+  /// For provenance: "default.yaml:12", or "--set".
   std::string provenance() const;
 };
 

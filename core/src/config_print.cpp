@@ -52,6 +52,7 @@ class Yaml {
     if (config.assembly) write_level(Level::assembly, *config.assembly);
     section(0, "decision");
     write_component(1, "solver", "decision.solver", config.solver);
+    write_values(1, "figure_ground", "decision.figure_ground", config.figure_ground);
     return std::move(text_);
   }
 
@@ -150,7 +151,8 @@ json to_json(const Resolution& resolution) {
       {"primitive",
        {{"fitters", list_values(config.fitters)}, {"model_selection", parameter_values(config.surface_modelling)}}},
       {"structural", level_values(config.structural)},
-      {"decision", {{"solver", component_values(config.solver)}}}};
+      {"decision",
+       {{"solver", component_values(config.solver)}, {"figure_ground", parameter_values(config.figure_ground)}}}};
   if (config.assembly) values["assembly"] = level_values(*config.assembly);
   return {{"values", values}, {"provenance", resolution.provenance}};
 }

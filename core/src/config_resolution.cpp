@@ -6,6 +6,7 @@
 #include <optional>
 
 #include "gestalt/depth_noise.h"
+#include "gestalt/figure_ground.h"
 #include "gestalt/suggest.h"
 #include "gestalt/surface_modelling.h"
 
@@ -54,6 +55,8 @@ class Resolver {
     config.structural = level(Level::structural, draft_.structural);
     if (config.with_assembly || draft_.assembly.named()) config.assembly = level(Level::assembly, draft_.assembly);
     config.solver = single("solver", "decision.solver", draft_.solver);
+    config.figure_ground =
+        values(FigureGroundParams::parameters().declarations(), draft_.figure_ground, "decision.figure_ground");
     problems_.throw_if_any(searched_);
     return std::move(result_);
   }

@@ -16,7 +16,7 @@ namespace gestalt::config {
 struct Resolution {
   Config config;
   std::vector<std::filesystem::path> plugin_directories;
-  std::map<std::string, std::string> provenance;  ///< by path: "paper.yaml:12", "--set" or "default"
+  std::map<std::string, std::string> provenance;  ///< by path: "default.yaml:12", "--set" or "default"
   std::vector<std::string> removed_fitters;       ///< names of those that are off; their provenance is that of the name
   std::map<Level, std::vector<std::string>> removed_relations;
 };

@@ -33,7 +33,8 @@ cv::Mat backdrop(const Frame& frame) {
   return picture;
 }
 
-cv::Mat draw_segments(const Frame& frame, const cv::Mat_<std::uint16_t>& labels) {
+cv::Mat draw_segments(const Frame& frame, const Segmentation& segmentation) {
+  const cv::Mat_<std::uint16_t>& labels = segmentation.labels;
   const cv::Mat below = backdrop(frame);
   cv::Mat picture(labels.size(), CV_8UC3);
   for (int v = 0; v < labels.rows; ++v)
@@ -46,6 +47,8 @@ cv::Mat draw_segments(const Frame& frame, const cv::Mat_<std::uint16_t>& labels)
         pixel = {255, 255, 255};
       else if (own == 0)
         pixel = base * 0.5;
+      else if (segmentation.segments[std::size_t(own) - 1].role == Role::background)
+        pixel = base;
       else
         pixel = base * 0.5 + colour_of(own) * 0.5;
     }

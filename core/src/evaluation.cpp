@@ -59,17 +59,26 @@ double ratio_or_one(std::int64_t part, std::int64_t whole) { return whole ? doub
 
 double harmonic_mean(double a, double b) { return a + b > 0 ? 2 * a * b / (a + b) : 0.0; }
 
-/// Each row's best segment (column): the one that shares most pixels with it, the first of equal ones.
-PooledPixels pool(const Counts& shared, const CountVector& region_area, const CountVector& segment_area) {
-  PooledPixels pooled;
-  pooled.region = region_area.sum();
-  for (Eigen::Index i = 0; i < shared.rows() && shared.cols() > 0; ++i) {
+/// Counts of each row with its best segment (column): the one that shares most pixels with it, the first of equal ones.
+std::vector<PooledPixels> match_each(const Counts& shared, const CountVector& region_area,
+                                     const CountVector& segment_area) {
+  std::vector<PooledPixels> each(std::size_t(shared.rows()));
+  for (Eigen::Index i = 0; i < shared.rows(); ++i) {
+    PooledPixels& counts = each[std::size_t(i)];
+    counts.region = region_area[i];
+    if (shared.cols() == 0) continue;
     Eigen::Index best;
     const std::int64_t common = shared.row(i).maxCoeff(&best);
     if (common == 0) continue;
-    pooled.true_positive += common;
-    pooled.false_positive += segment_area[best] - common;
+    counts.true_positive = common;
+    counts.false_positive = segment_area[best] - common;
   }
+  return each;
+}
+
+PooledPixels pool(const std::vector<PooledPixels>& each) {
+  PooledPixels pooled;
+  for (const PooledPixels& counts : each) pooled += counts;
   return pooled;
 }
 
@@ -204,7 +213,7 @@ std::vector<int> foreground_segments(const CountVector& on_background, const Cou
 
 /// shared: parts x segments, of the parts that count.
 PartScore score_parts(const Counts& shared, const CountVector& part_area, const CountVector& segment_area) {
-  const PooledPixels pooled = pool(shared, part_area, segment_area);
+  const PooledPixels pooled = pool(match_each(shared, part_area, segment_area));
   if (pooled.region == 0) {
     constexpr double undefined = std::numeric_limits<double>::quiet_NaN();
     return {undefined, undefined, undefined};
@@ -235,6 +244,13 @@ double PooledPixels::precision() const { return ratio_or_one(true_positive, true
 
 double PooledPixels::recall() const { return ratio_or_one(true_positive, region); }
 
+PooledPixels& PooledPixels::operator+=(const PooledPixels& other) {
+  true_positive += other.true_positive;
+  false_positive += other.false_positive;
+  region += other.region;
+  return *this;
+}
+
 ImageScore score_image(const cv::Mat_<std::uint16_t>& ground_truth, const cv::Mat_<std::uint16_t>& prediction,
                        RegionKind kind) {
   check_images(ground_truth, prediction);
@@ -249,7 +265,8 @@ ImageScore score_image(const cv::Mat_<std::uint16_t>& ground_truth, const cv::Ma
   const Comparison comparison = compare(regions, segments);
 
   ImageScore score;
-  score.pooled = pool(comparison.shared, comparison.region_area, comparison.segment_area);
+  score.each = match_each(comparison.shared, comparison.region_area, comparison.segment_area);
+  score.pooled = pool(score.each);
   score.regions = regions.count();
   score.segments = segments.count();
 

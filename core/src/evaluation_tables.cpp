@@ -49,9 +49,7 @@ ScoreRow summarise_images(const std::string& category, const std::vector<const I
   for (const ImageScore* score : scores) {
     row.regions += score->regions;
     row.segments += double(score->segments);
-    row.pooled.true_positive += score->pooled.true_positive;
-    row.pooled.false_positive += score->pooled.false_positive;
-    row.pooled.region += score->pooled.region;
+    row.pooled += score->pooled;
     for (std::size_t rule = 0; rule < row.overlap_boundary.size(); ++rule)
       add(score->overlap_boundary[rule], overlap_boundary_values, row.overlap_boundary[rule]);
     add(score->all_parts, part_values, row.all_parts);

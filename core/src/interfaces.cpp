@@ -33,6 +33,10 @@ Solver::~Solver() = default;
 
 float SurfaceModel::squared_distance(const Eigen::Vector3f& p) const { return (foot(p).point - p).squaredNorm(); }
 
+std::optional<Eigen::Vector2d> SurfaceModel::parameters(const Eigen::Vector3f&) const { return std::nullopt; }
+
+std::string Fitter::refusal(std::span<const Eigen::Vector3f>) const { return ""; }
+
 std::shared_ptr<const SurfaceModel> Fitter::fit_merged(const SurfaceModel&, std::span<const Eigen::Vector3f> points_a,
                                                        const SurfaceModel&,
                                                        std::span<const Eigen::Vector3f> points_b) const {

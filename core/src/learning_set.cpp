@@ -6,10 +6,18 @@
 #include <algorithm>
 #include <functional>
 #include <map>
+#include <set>
 
 #include "gestalt/error.h"
 
 namespace gestalt {
+
+int count_objects(const cv::Mat_<std::uint16_t>& ground_truth) {
+  std::set<int> objects;
+  for (const std::uint16_t value : ground_truth)
+    if (const int object = object_of_label(value); object > 1) objects.insert(object);
+  return int(objects.size());
+}
 
 std::vector<int> surface_objects(const SurfaceSet& surfaces, const cv::Mat_<std::uint16_t>& ground_truth) {
   if (ground_truth.size() != surfaces.labels.size())
@@ -51,13 +59,11 @@ LearningScene make_learning_scene(const Pipeline& pipeline, const Frame& frame,
 }
 
 Samples assembly_pairs(const LearningScene& scene, const std::vector<int>& structural_groups) {
-  RelationTable apart{scene.percept.assembly.names, {}, {}};
-  for (std::size_t i = 0; i < scene.percept.assembly.pairs.size(); ++i) {
-    const auto pair = scene.percept.assembly.pairs[i];
-    if (structural_groups[std::size_t(pair.a)] == structural_groups[std::size_t(pair.b)]) continue;
-    apart.pairs.push_back(pair);
-    const std::span<const double> row = scene.percept.assembly.row(i);
-    apart.values.insert(apart.values.end(), row.begin(), row.end());
+  const RelationTable& all = scene.percept.assembly;
+  RelationTable apart{all.names, {}, {}};
+  for (const std::size_t i : assembly_rows(scene.percept, structural_groups)) {
+    apart.pairs.push_back(all.pairs[i]);
+    apart.values.insert(apart.values.end(), all.row(i).begin(), all.row(i).end());
   }
   return labelled_pairs(apart, scene.objects);
 }
@@ -69,9 +75,15 @@ void append(Samples& samples, const Samples& more) {
   samples.positive.insert(samples.positive.end(), more.positive.begin(), more.positive.end());
 }
 
+const RelationTable& table_of(const Percept& percept, Level level) {
+  return level == Level::structural ? percept.structural : percept.assembly;
+}
+
 Model learn_level(const Pipeline& pipeline, Level level, const std::vector<const LearningScene*>& scenes,
                   const std::function<Samples(const LearningScene&)>& samples_of) {
-  const ExpectedModel expected = pipeline.expected_model(level);
+  ExpectedModel expected = pipeline.expected_model(level);
+  // The same, unless somebody took columns out to learn without them.
+  if (!scenes.empty()) expected.names = table_of(scenes.front()->percept, level).names;
   Samples samples{expected.names.size(), {}, {}};
   TrainingData training;
   for (const LearningScene* scene : scenes) {

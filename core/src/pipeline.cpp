@@ -29,14 +29,20 @@ class Stopwatch {
 };
 
 /// Groups of surfaces as segments, largest first; equal sizes in order of their first surface.
-Segmentation assemble(const SurfaceSet& surfaces, Graph graph, const std::vector<int>& groups) {
+Segmentation assemble(const SurfaceSet& surfaces, const std::vector<Role>& roles, Graph graph,
+                      const std::vector<int>& groups) {
   const int count = groups.empty() ? 0 : 1 + *std::max_element(groups.begin(), groups.end());
   std::vector<Segment> segments{std::size_t(count)};
+  std::vector<int> background_pixels(segments.size(), 0);
   for (std::size_t s = 0; s < groups.size(); ++s) {
     Segment& segment = segments[std::size_t(groups[s])];
     segment.surfaces.push_back(int(s));
-    segment.pixel_count += int(surfaces.surfaces[s].pixels.size());
+    const int pixels = int(surfaces.surfaces[s].pixels.size());
+    segment.pixel_count += pixels;
+    if (roles[s] == Role::background) background_pixels[std::size_t(groups[s])] += pixels;
   }
+  for (std::size_t i = 0; i < segments.size(); ++i)
+    segments[i].role = 2 * background_pixels[i] > segments[i].pixel_count ? Role::background : Role::object;
   std::stable_sort(segments.begin(), segments.end(),
                    [](const Segment& x, const Segment& y) { return x.pixel_count > y.pixel_count; });
   if (segments.size() > std::numeric_limits<std::uint16_t>::max())
@@ -59,7 +65,8 @@ Pipeline::Pipeline(Config config, const Registry& registry)
       clusterer_(registry.create<Clusterer>(config_.clusterer.plugin, config_.clusterer.params)),
       surface_modelling_(SurfaceModellingParams::parameters().read(config_.surface_modelling)),
       noise_(SensorParams::parameters().read(config_.sensor).depth_noise()),
-      solver_(registry.create<Solver>(config_.solver.plugin, config_.solver.params)) {
+      solver_(registry.create<Solver>(config_.solver.plugin, config_.solver.params)),
+      figure_ground_(FigureGroundParams::parameters().read(config_.figure_ground)) {
   for (const ComponentConfig& fitter : config_.fitters)
     fitters_.push_back(registry.create<Fitter>(fitter.plugin, fitter.params));
   Known known;
@@ -122,6 +129,10 @@ Percept Pipeline::perceive(const Frame& given) const {
     const Stopwatch watch(percept.times.primitive);
     percept.surfaces = model_surfaces(frame, percept.patches, fitters_, surface_modelling_);
   }
+  {
+    const Stopwatch watch(percept.times.decision);
+    percept.roles = find_roles(frame, percept.surfaces, figure_ground_);
+  }
   std::optional<Measures> measures;
   const Scene scene(frame, percept.patches, percept.surfaces);
   {
@@ -138,30 +149,27 @@ Percept Pipeline::perceive(const Frame& given) const {
   return percept;
 }
 
-namespace {
-
-Graph structural_graph(const Percept& percept, const Model& model) {
+Graph Pipeline::structural_graph(const Percept& percept, const Model& model) const {
   Graph graph;
   for (const Surface& surface : percept.surfaces.surfaces) graph.sizes.push_back(int(surface.pixels.size()));
   for (std::size_t i = 0; i < percept.structural.pairs.size(); ++i) {
     const auto [a, b] = percept.structural.pairs[i];
+    if (figure_ground_.separate && percept.roles[std::size_t(a)] != percept.roles[std::size_t(b)]) continue;
     graph.edges.push_back({a, b, model.probability(percept.structural.row(i)), Level::structural});
   }
   return graph;
 }
 
-/// The edges between different structural groups.
-std::vector<Edge> assembly_edges(const Percept& percept, const Model& model, const std::vector<int>& groups) {
-  std::vector<Edge> edges;
+std::vector<std::size_t> assembly_rows(const Percept& percept, const std::vector<int>& structural_groups) {
+  const auto is_object = [&](int surface) { return percept.roles[std::size_t(surface)] == Role::object; };
+  std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < percept.assembly.pairs.size(); ++i) {
     const auto [a, b] = percept.assembly.pairs[i];
-    if (groups[std::size_t(a)] != groups[std::size_t(b)])
-      edges.push_back({a, b, model.probability(percept.assembly.row(i)), Level::assembly});
+    if (structural_groups[std::size_t(a)] != structural_groups[std::size_t(b)] && is_object(a) && is_object(b))
+      rows.push_back(i);
   }
-  return edges;
+  return rows;
 }
-
-}  // namespace
 
 std::vector<int> Pipeline::structural_groups(const Percept& percept, const Model& model) const {
   return solver_->solve(structural_graph(percept, model));
@@ -183,15 +191,17 @@ Segmentation Pipeline::decide(const Percept& percept, const Models& models, Leve
   if (assembly_) {
     {
       const Stopwatch watch(spent.assembly);
-      const std::vector<Edge> edges = assembly_edges(percept, models.assembly.value(), groups);
-      graph.edges.insert(graph.edges.end(), edges.begin(), edges.end());
+      for (const std::size_t row : assembly_rows(percept, groups)) {
+        const auto [a, b] = percept.assembly.pairs[row];
+        graph.edges.push_back({a, b, models.assembly->probability(percept.assembly.row(row)), Level::assembly});
+      }
       std::sort(graph.edges.begin(), graph.edges.end(),
                 [](const Edge& x, const Edge& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
     }
     const Stopwatch watch(spent.decision);
     groups = solver_->solve(graph);
   }
-  return assemble(percept.surfaces, std::move(graph), groups);
+  return assemble(percept.surfaces, percept.roles, std::move(graph), groups);
 }
 
 }  // namespace gestalt

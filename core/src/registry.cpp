@@ -48,9 +48,9 @@ std::string mismatch(const gestalt_manifest* manifest) {
   return "";
 }
 
-fs::path core_library() { return fs::weakly_canonical(boost::dll::this_line_location().string()); }
-
 }  // namespace
+
+fs::path core_library() { return fs::weakly_canonical(boost::dll::this_line_location().string()); }
 
 Registry::Registry(std::vector<fs::path> directories) : searched_(std::move(directories)) {
   std::vector<fs::path> opened;

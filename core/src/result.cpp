@@ -26,6 +26,7 @@ Json segments_json(const Segmentation& segmentation) {
   for (std::size_t i = 0; i < segmentation.segments.size(); ++i)
     segments.push_back({{"label", i + 1},
                         {"pixels", segmentation.segments[i].pixel_count},
+                        {"role", name_of(segmentation.segments[i].role)},
                         {"patches", segmentation.segments[i].surfaces}});
   return segments;
 }
@@ -102,7 +103,8 @@ Json result_json(const Input& input, const Percept& percept, const Segmentation&
 void write_result(const std::filesystem::path& folder, const Input& input, const Percept& percept,
                   const Segmentation& segmentation, const LevelTimes& times, const Json& config) {
   std::vector<OutputFile> files{{folder / "labels.png", encode_png(segmentation.labels)},
-                                {folder / "overlay.png", encode_png(draw_segments(input.frame, segmentation.labels))},
+                                {folder / "objects.png", encode_png(object_labels(segmentation))},
+                                {folder / "overlay.png", encode_png(draw_segments(input.frame, segmentation))},
                                 {folder / "patches.png", encode_png(draw_patches(percept.surfaces.labels))}};
   if (!input.cloud.empty()) files.push_back({folder / "labels.pcd", point_labels(input, segmentation.labels)});
   // A scene's name comes from a path, which may be no UTF-8.

@@ -48,4 +48,9 @@ const std::vector<Closure>& Scene::closures() const {
   return closures_;
 }
 
+const std::vector<Outline>& Scene::outlines() const {
+  std::call_once(outlines_once_, [this] { outlines_ = find_outlines(frame_, surfaces_, contours()); });
+  return outlines_;
+}
+
 }  // namespace gestalt

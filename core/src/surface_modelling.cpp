@@ -7,7 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
-#include <map>
+#include <limits>
 #include <set>
 
 #include "gestalt/error.h"
@@ -16,93 +16,134 @@ namespace gestalt {
 
 namespace {
 
+using SurfaceModels = std::vector<std::shared_ptr<const SurfaceModel>>;
+
 /// A patch on its way to a surface.
 struct Candidate {
   std::vector<int> pixels;
   std::vector<Eigen::Vector3f> points;  // parallel to pixels
-  std::shared_ptr<const SurfaceModel> model;
-  std::size_t fitter = 0;
-  double error = 0;  // S_err of Eq. 2, in points
+  SurfaceModels models;                 // by fitter, null where there is none
+  std::size_t fitter = 0;               // whose model is the best description
+  double error = 0;                     // its S_err of Eq. 2, in points
 };
 
 /// A surface that explains two patches together, and what it saves over two (Eq. 8).
 struct Merger {
-  std::shared_ptr<const SurfaceModel> model;
+  SurfaceModels models;  // those that were fitted
   std::size_t fitter = 0;
   double error = 0;
-  double gain = 0;
+  double gain = 0;  // not positive: the patches stay two
 };
 
 class SurfaceModeller {
  public:
-  SurfaceModeller(const std::vector<std::shared_ptr<const Fitter>>& fitters, const SurfaceModellingParams& params)
-      : fitters_(fitters), params_(params) {}
+  SurfaceModeller(const Frame& frame, const std::vector<std::shared_ptr<const Fitter>>& fitters,
+                  const SurfaceModellingParams& params)
+      : noise_(frame.noise),
+        largest_(params.largest_solid_angle * frame.camera.fx * frame.camera.fy),
+        fitters_(fitters),
+        params_(params) {}
 
   /// Chooses the fitter with the largest savings.
   void choose_model(Candidate& patch) const {
-    double best = 0;
-    for (std::size_t f = 0; f < fitters_.size(); ++f) {
-      if (f > 0 && int(patch.points.size()) > params_.largest_patch) break;
-      const auto model = fitters_[f]->fit(patch.points);
-      if (!model) continue;
-      const double error = error_of(*model, patch.points);
-      const double savings = -cost(f) - params_.kappa_2 * error / double(patch.points.size());
-      if (patch.model && savings <= best) continue;
+    const double size = double(patch.points.size());
+    double best = -std::numeric_limits<double>::infinity();
+    patch.models.resize(fitters_.size());
+    for (std::size_t f = 0; f < fitters_.size() && admits(f, patch.points.size()); ++f) {
+      patch.models[f] = fitters_[f]->fit(patch.points);
+      if (!patch.models[f]) continue;
+      const double error = error_of(*patch.models[f], patch.points);
+      const double savings = -cost(f) - params_.kappa_2 * error / size;
+      if (savings <= best) continue;
       best = savings;
-      patch.model = model;
       patch.fitter = f;
       patch.error = error;
     }
-    if (!patch.model)
+    if (!patch.models[patch.fitter])
       throw PluginError("primitive level: no fitter could model a patch of " + std::to_string(patch.points.size()) +
                         " points; put a fitter that takes any patch first in primitive.fitters");
   }
 
-  /// The best single surface for two patches. gain > 0 when it is a better description than the two (Eq. 8). A_m is the
+  /// The best single surface for two patches, if it is a better description than the two (Eq. 8). By default A_m is the
   /// size of the smaller patch: normalised by the merged size, a table would swallow every small patch beside it, for
   /// however badly it explains that patch, the share of its points in the whole is small.
   Merger merge(const Candidate& a, const Candidate& b) const {
     const auto size = a.points.size() + b.points.size();
-    const auto normalisation = double(std::min(a.points.size(), b.points.size()));
-    const double apart = cost(a.fitter) + cost(b.fitter) + params_.kappa_2 * (a.error + b.error) / normalisation;
+    const double normalisation =
+        params_.normalisation == "merged" ? double(size) : double(std::min(a.points.size(), b.points.size()));
+    const double weight = params_.kappa_2 / normalisation;
+    const double apart = cost(a.fitter) + cost(b.fitter) + weight * (a.error + b.error);
     Merger best;
-    best.gain = -std::numeric_limits<double>::infinity();
-    for (std::size_t f = 0; f < fitters_.size(); ++f) {
-      if (f > 0 && int(size) > params_.largest_patch) break;
-      const auto model = a.fitter == f && b.fitter == f
-                             ? fitters_[f]->fit_merged(*a.model, a.points, *b.model, b.points)
-                             : fit_joined(*fitters_[f], a, b);
-      if (!model) continue;
-      const double error = error_of(*model, a.points) + error_of(*model, b.points);
-      const double gain = apart - cost(f) - params_.kappa_2 * error / normalisation;
-      if (gain > best.gain) best = {model, f, error, gain};
+    best.models.resize(fitters_.size());
+    for (std::size_t f = 0; f < fitters_.size() && admits(f, size); ++f) {
+      // Errors only grow while they are summed up: a fit that cannot win any more is not looked at to the end.
+      const double allowed = apart - cost(f) - best.gain;
+      if (!(allowed > 0)) continue;
+      best.models[f] = fit_merged(f, a, b);
+      if (!best.models[f]) continue;
+      double error = 0;
+      for (const Candidate* patch : {&a, &b})
+        if (weight * error < allowed) error += error_of(*best.models[f], patch->points, allowed / weight - error);
+      const double gain = allowed + best.gain - weight * error;
+      if (gain <= best.gain) continue;
+      best.fitter = f;
+      best.error = error;
+      best.gain = gain;
     }
     return best;
+  }
+
+  /// Joins b into a, with the models that the merger has and those that it did not need.
+  void absorb(Candidate& a, Candidate& b, Merger merger) const {
+    for (std::size_t f = 0; f < fitters_.size() && admits(f, a.points.size() + b.points.size()); ++f)
+      if (!merger.models[f]) merger.models[f] = fit_merged(f, a, b);
+    a.pixels.insert(a.pixels.end(), b.pixels.begin(), b.pixels.end());
+    a.points.insert(a.points.end(), b.points.begin(), b.points.end());
+    a.models = std::move(merger.models);
+    a.fitter = merger.fitter;
+    a.error = merger.error;
+    b = {};
+  }
+
+  /// Why fitters have no model of a patch.
+  std::vector<std::string> refusals(const Candidate& patch) const {
+    std::vector<std::string> reasons;
+    for (std::size_t f = 0; f < fitters_.size(); ++f)
+      reasons.push_back(patch.models[f]                   ? ""
+                        : !admits(f, patch.points.size()) ? "larger than largest_solid_angle"
+                                                          : fitters_[f]->refusal(patch.points));
+    return reasons;
   }
 
  private:
   double cost(std::size_t fitter) const { return params_.kappa_1 * fitters_[fitter]->parameter_count(); }
 
-  static std::shared_ptr<const SurfaceModel> fit_joined(const Fitter& fitter, const Candidate& a, const Candidate& b) {
+  bool admits(std::size_t fitter, std::size_t size) const { return fitter == 0 || double(size) <= largest_; }
+
+  std::shared_ptr<const SurfaceModel> fit_merged(std::size_t f, const Candidate& a, const Candidate& b) const {
+    if (a.models[f] && b.models[f]) return fitters_[f]->fit_merged(*a.models[f], a.points, *b.models[f], b.points);
     std::vector<Eigen::Vector3f> points = a.points;
     points.insert(points.end(), b.points.begin(), b.points.end());
-    return fitter.fit(points);
+    return fitters_[f]->fit(points);
   }
 
-  /// S_err of Eq. 2, from an even sample of a large patch.
-  double error_of(const SurfaceModel& model, const std::vector<Eigen::Vector3f>& points) const {
+  /// S_err of Eq. 2, from an even sample of a large patch; or, once it is known to be larger than enough, any such
+  /// number.
+  double error_of(const SurfaceModel& model, const std::vector<Eigen::Vector3f>& points,
+                  double enough = std::numeric_limits<double>::infinity()) const {
     const std::size_t step = (points.size() + error_samples - 1) / error_samples;
+    const double share = double(points.size()) / double((points.size() + step - 1) / step);
     double sum = 0;
-    std::size_t count = 0;
-    for (std::size_t i = 0; i < points.size(); i += step, ++count) {
-      const double z = points[i].z();
-      const double sigma = params_.sigma + params_.sigma_z * z * z;
-      sum += 1 - std::exp(-double(model.squared_distance(points[i])) / (sigma * sigma));
+    for (std::size_t i = 0; i < points.size() && sum <= enough; i += step) {
+      const double sigma = params_.sigma * noise_.at(points[i].z());
+      sum += share * (1 - std::exp(-double(model.squared_distance(points[i])) / (sigma * sigma)));
     }
-    return sum * double(points.size()) / double(count);
+    return sum;
   }
 
-  static constexpr std::size_t error_samples = 1000;
+  static constexpr std::size_t error_samples = 500;
+  const DepthNoise noise_;
+  const double largest_;  // pixels
   const std::vector<std::shared_ptr<const Fitter>>& fitters_;
   const SurfaceModellingParams& params_;
 };
@@ -117,62 +158,92 @@ std::vector<Candidate> gather(const Frame& frame, const PatchMap& patches) {
   return candidates;
 }
 
+using Pair = std::pair<int, int>;  // of candidates, the smaller number first
+
 /// Pairs of patches with a touching pixel pair that is close in depth.
-std::set<std::pair<int, int>> neighbours_3d(const Frame& frame, const std::vector<Adjacency>& adjacencies,
-                                            const SurfaceModellingParams& params) {
-  std::set<std::pair<int, int>> neighbours;
+std::vector<Pair> neighbours_3d(const Frame& frame, const std::vector<Adjacency>& adjacencies,
+                                const SurfaceModellingParams& params) {
+  std::vector<Pair> neighbours;
   for (const Adjacency& adjacency : adjacencies)
-    for (const PixelPair& pair : adjacency.border_2d)
-      if (std::abs(frame.depth.ptr<float>()[pair.a] - frame.depth.ptr<float>()[pair.b]) < params.neighbour_depth) {
-        neighbours.emplace(adjacency.a, adjacency.b);
-        break;
-      }
+    if (std::any_of(adjacency.border_2d.begin(), adjacency.border_2d.end(),
+                    [&](const PixelPair& pair) { return are_close(frame, pair, params.neighbour_depth); }))
+      neighbours.emplace_back(adjacency.a, adjacency.b);
   return neighbours;
 }
 
-/// Joins b into a.
-void absorb(Candidate& a, Candidate& b, const Merger& merger) {
-  a.pixels.insert(a.pixels.end(), b.pixels.begin(), b.pixels.end());
-  a.points.insert(a.points.end(), b.points.begin(), b.points.end());
-  a.model = merger.model;
-  a.fitter = merger.fitter;
-  a.error = merger.error;
-  b = {};
-}
-
 /// Greedy surface merging (Algorithm 1), best gain first; ties go to the pair with the smaller numbers.
-void merge_greedily(std::vector<Candidate>& candidates, const std::set<std::pair<int, int>>& neighbours,
-                    const SurfaceModeller& modeller) {
-  std::vector<std::pair<int, int>> pairs(neighbours.begin(), neighbours.end());
-  std::vector<Merger> first(pairs.size());
-  tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
-    first[i] = modeller.merge(candidates[std::size_t(pairs[i].first)], candidates[std::size_t(pairs[i].second)]);
-  });
-  std::map<std::pair<int, int>, Merger> mergers;
-  for (std::size_t i = 0; i < pairs.size(); ++i) mergers.emplace(pairs[i], std::move(first[i]));
+class GreedyMerging {
+ public:
+  GreedyMerging(std::vector<Candidate>& candidates, const SurfaceModeller& modeller)
+      : candidates_(candidates), modeller_(modeller), neighbours_(candidates.size()), revision_(candidates.size(), 0) {}
 
-  while (!mergers.empty()) {
-    const auto best = std::max_element(mergers.begin(), mergers.end(), [](const auto& x, const auto& y) {
-      return x.second.gain < y.second.gain;  // max_element keeps the first of equals
-    });
-    if (!(best->second.gain > 0)) return;
-    const auto [kept, gone] = best->first;
-    absorb(candidates[std::size_t(kept)], candidates[std::size_t(gone)], best->second);
-
-    std::set<int> around;
-    for (auto entry = mergers.begin(); entry != mergers.end();) {
-      const auto [a, b] = entry->first;
-      const bool touched = a == kept || b == kept || a == gone || b == gone;
-      if (touched)
-        for (const int node : {a, b})
-          if (node != kept && node != gone) around.insert(node);
-      entry = touched ? mergers.erase(entry) : std::next(entry);
+  void run(const std::vector<Pair>& pairs) {
+    for (const auto& [a, b] : pairs) {
+      neighbours_[std::size_t(a)].insert(b);
+      neighbours_[std::size_t(b)].insert(a);
     }
-    for (const int other : around)
-      mergers.emplace(std::minmax(kept, other),
-                      modeller.merge(candidates[std::size_t(kept)], candidates[std::size_t(other)]));
+    consider(pairs);
+    while (!queue_.empty()) {
+      std::pop_heap(queue_.begin(), queue_.end());
+      Entry best = std::move(queue_.back());
+      queue_.pop_back();
+      if (is_current(best)) join(best);
+    }
   }
-}
+
+ private:
+  /// A merger that pays, with the state of both patches that it was made for.
+  struct Entry {
+    Pair pair;
+    Pair revisions;
+    Merger merger;
+
+    bool operator<(const Entry& other) const {  // the heap's top is the largest
+      return std::pair(merger.gain, other.pair) < std::pair(other.merger.gain, pair);
+    }
+  };
+
+  bool is_current(const Entry& entry) const { return entry.revisions == revisions(entry.pair); }
+  Pair revisions(const Pair& pair) const {
+    return {revision_[std::size_t(pair.first)], revision_[std::size_t(pair.second)]};
+  }
+
+  void consider(const std::vector<Pair>& pairs) {
+    std::vector<Merger> mergers(pairs.size());
+    tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
+      mergers[i] = modeller_.merge(candidates_[std::size_t(pairs[i].first)], candidates_[std::size_t(pairs[i].second)]);
+    });
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      if (!(mergers[i].gain > 0)) continue;
+      queue_.push_back({pairs[i], revisions(pairs[i]), std::move(mergers[i])});
+      std::push_heap(queue_.begin(), queue_.end());
+    }
+  }
+
+  void join(Entry& entry) {
+    const auto [kept, gone] = entry.pair;
+    modeller_.absorb(candidates_[std::size_t(kept)], candidates_[std::size_t(gone)], std::move(entry.merger));
+    ++revision_[std::size_t(kept)];
+    ++revision_[std::size_t(gone)];
+    std::set<int>& around = neighbours_[std::size_t(kept)];
+    around.merge(neighbours_[std::size_t(gone)]);
+    around.erase(kept);
+    around.erase(gone);
+    std::vector<Pair> pairs;
+    for (const int other : around) {
+      neighbours_[std::size_t(other)].erase(gone);
+      neighbours_[std::size_t(other)].insert(kept);
+      pairs.push_back(std::minmax(kept, other));
+    }
+    consider(pairs);
+  }
+
+  std::vector<Candidate>& candidates_;
+  const SurfaceModeller& modeller_;
+  std::vector<std::set<int>> neighbours_;
+  std::vector<int> revision_;
+  std::vector<Entry> queue_;  // a heap; entries of earlier revisions are passed over
+};
 
 }  // namespace
 
@@ -180,33 +251,37 @@ const Parameters<SurfaceModellingParams>& SurfaceModellingParams::parameters() {
   using P = SurfaceModellingParams;
   static const auto parameters =
       Parameters<P>()
-          .real("sigma", &P::sigma, 1e-5, 1, "m", "scale of the error model, p(f | H) = exp(-e^2 / sigma(z)^2)")
-          .real("sigma_z", &P::sigma_z, 0, 1, "1/m", "growth of the scale: sigma(z) = sigma + sigma_z z^2")
+          .real("sigma", &P::sigma, 0.01, 1000, "noise",
+                "scale of the error model, p(f | H) = exp(-e^2 / (sigma noise(z))^2)")
           .real("kappa_1", &P::kappa_1, 0, 100, "", "weight of the number of parameters (Eq. 3)")
           .real("kappa_2", &P::kappa_2, 0, 100, "", "weight of the error (Eq. 3)")
-          .integer("largest_patch", &P::largest_patch, 1, 100000000, "px",
-                   "a larger patch is only modelled by the first fitter")
-          .real("neighbour_depth", &P::neighbour_depth, 0, 10, "m",
-                "touching pixels closer in depth than this make their patches candidates for merging")
-          .real("border_depth_per_metre", &P::border_depth_per_metre, 0, 1, "",
-                "touching pixels with |dz| < this * z are 3D border");
+          .choice("normalisation", &P::normalisation, {"smaller", "merged"},
+                  "A_m of a pair (Eq. 3): the size of the smaller patch, or of the merged one")
+          .real("largest_solid_angle", &P::largest_solid_angle, 0, 10, "sr",
+                "a patch that covers more of the view is only modelled by the first fitter")
+          .real("neighbour_depth", &P::neighbour_depth, 0, 1000, "",
+                "touching pixels closer in depth than this * (noise(z) + z / f) make patches candidates for merging")
+          .real("border_depth", &P::border_depth, 0, 1000, "",
+                "touching pixels closer in depth than this * (noise(z) + z / f) are 3D border");
   return parameters;
 }
 
 SurfaceSet model_surfaces(const Frame& frame, const PatchMap& patches,
                           const std::vector<std::shared_ptr<const Fitter>>& fitters,
                           const SurfaceModellingParams& params) {
-  const SurfaceModeller modeller(fitters, params);
+  const SurfaceModeller modeller(frame, fitters, params);
   std::vector<Candidate> candidates = gather(frame, patches);
   tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) { modeller.choose_model(candidates[i]); });
-  merge_greedily(candidates, neighbours_3d(frame, find_adjacencies(frame, patches.labels, params), params), modeller);
+  GreedyMerging(candidates, modeller)
+      .run(neighbours_3d(frame, find_adjacencies(frame, patches.labels, params), params));
 
   SurfaceSet set;
   set.labels = cv::Mat_<int>(patches.labels.size(), 0);
   for (Candidate& candidate : candidates) {
     if (candidate.pixels.empty()) continue;
     std::sort(candidate.pixels.begin(), candidate.pixels.end());
-    set.surfaces.push_back({std::move(candidate.pixels), std::move(candidate.model)});
+    set.surfaces.push_back(
+        {std::move(candidate.pixels), candidate.models[candidate.fitter], modeller.refusals(candidate)});
     for (const int pixel : set.surfaces.back().pixels) set.labels.ptr<int>()[pixel] = int(set.surfaces.size());
   }
   set.adjacencies = find_adjacencies(frame, set.labels, params);

@@ -210,7 +210,7 @@ TEST_F(ConfigTest, AChainMergesFromItsEnd) {
   const fs::path file =
       write("sub/top.yaml", "schema_version: 1\nextends: ../middle.yaml\nstructural: {minimum_size: 50}\n");
   EXPECT_EQ(resolve(file).structural.minimum_size, 50);
-  EXPECT_EQ(resolve(file).classifier.plugin, "tree");
+  EXPECT_EQ(resolve(file).structural.classifier.plugin, "tree");
 }
 
 TEST_F(ConfigTest, PluginDirectoriesAreRelativeToTheirFile) {
@@ -429,8 +429,8 @@ TEST_F(ConfigTest, AMissingPluginTellsWhatWasRejected) {
 // Printing
 
 TEST_F(ConfigTest, PrintReadsBackToTheSameConfig) {
-  const fs::path file = extend(R"(structural:
-  model: "odd # \"name\".json"
+  const fs::path file = extend(R"(model: "odd # \"name\".json"
+structural:
   minimum_size: 12
   relations:
     colour: off
@@ -596,7 +596,7 @@ TEST(ConfigHash, IsTheFnv1aOfTheCanonicalText) {
 }
 
 TEST(DefaultConfig, IsFoundFromTheLibrary) {
-  EXPECT_EQ(default_config().filename(), "paper.yaml");
+  EXPECT_EQ(default_config().filename(), "default.yaml");
   const Registry none({});
   // Without plugins it is read as YAML, and every component of it is missed by name.
   try {

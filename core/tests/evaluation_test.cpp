@@ -74,6 +74,12 @@ TEST(ScoreImage, OfAShiftedObjectFollowsFromArithmetic) {
   EXPECT_DOUBLE_EQ(score.pooled.precision(), 0.9);
   EXPECT_DOUBLE_EQ(score.pooled.recall(), 0.9);
 
+  ASSERT_EQ(score.each.size(), 2u);
+  EXPECT_DOUBLE_EQ(score.each[0].precision(), 0.8);
+  EXPECT_DOUBLE_EQ(score.each[0].recall(), 0.8);
+  EXPECT_EQ(score.each[1].true_positive, 100);
+  EXPECT_EQ(score.each[1].false_positive, 0);
+
   // The tolerance is 1 pixel. Of the 36 boundary pixels, 9 of either horizontal side have a partner (those on the other
   // boundary and one past its corner), and the 2 of the inner vertical side that touch the horizontal ones.
   const double boundary = (20.0 + 36.0) / 72.0;

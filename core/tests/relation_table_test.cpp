@@ -147,10 +147,13 @@ TEST(LearningSet, LeavesOutPairsOfTwoBackgroundPatches) {
 TEST(LearningSet, TheAssemblyLevelLearnsFromPairsThatTheStructuralLevelLeavesApart) {
   LearningScene scene;
   scene.percept.assembly = {{"r_x"}, {{0, 1}, {0, 2}, {1, 2}}, {1, 2, 3}};
+  scene.percept.roles = {Role::object, Role::object, Role::object};
   scene.objects = {2, 2, 3};
   const Samples samples = assembly_pairs(scene, {0, 0, 1});
   EXPECT_EQ(samples.values, (std::vector<double>{2, 3}));
   EXPECT_EQ(samples.positive, (std::vector<std::uint8_t>{0, 0}));
+  scene.percept.roles[0] = Role::background;
+  EXPECT_EQ(assembly_pairs(scene, {0, 0, 1}).values, std::vector<double>{3});
 }
 
 TEST(LearningSet, RefusesGroundTruthOfAnotherSize) {

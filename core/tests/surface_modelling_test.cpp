@@ -79,7 +79,8 @@ TEST(SurfaceModelling, MergesExactlyWhenTheSavingsGrow) {
   // One plane between two equal patches leaves e = step / 2 at each of the 2n points: merging pays while
   // kappa_1 * 12 > 2 (1 - exp(-e^2 / sigma^2)), with A_m = n.
   SurfaceModellingParams params;
-  const double e = params.sigma * std::sqrt(-std::log(1 - params.kappa_1 * 12 / 2));
+  const double scene_noise = DepthNoise{}.at(1);
+  const double e = params.sigma * scene_noise * std::sqrt(-std::log(1 - params.kappa_1 * 12 / 2));
   const auto below = step(float(2 * e * 0.97)), above = step(float(2 * e * 1.03));
   EXPECT_EQ(model_surfaces(below.frame, below.patches, frontal(), params).surfaces.size(), 1u);
   EXPECT_EQ(model_surfaces(above.frame, above.patches, frontal(), params).surfaces.size(), 2u);
@@ -106,7 +107,7 @@ TEST(SurfaceModelling, LeavesALargePatchToTheFirstFitter) {
   const auto scene = test::render({{{100, 100, 30, 30}, {0, 0, 1}, {1, 0, -1}}});
   const Fitters both{std::make_shared<FrontalPlane>(12), std::make_shared<PerfectFitter>(27)};
   SurfaceModellingParams params;
-  params.largest_patch = 899;
+  params.largest_solid_angle = 899.5 / (525 * 525);
   EXPECT_EQ(model_surfaces(scene.frame, scene.patches, both, params).surfaces[0].model->type(), "plane");
 }
 

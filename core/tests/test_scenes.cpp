@@ -76,6 +76,29 @@ KnownScene render(const std::vector<PlanarPatch>& patches, const Camera& camera)
   return scene;
 }
 
+KnownScene moved(const KnownScene& scene, const Eigen::Isometry3f& motion) {
+  KnownScene result = scene;
+  result.frame.points = scene.frame.points.clone();
+  result.patches.normals = scene.patches.normals.clone();
+  for (Surface& surface : result.surfaces.surfaces) {
+    const SurfaceModel::Foot foot = surface.model->foot(scene.frame.point(surface.pixels.front()));
+    surface.model = exact_plane(motion * foot.point, motion.linear() * foot.normal);
+    for (const int pixel : surface.pixels) {
+      cv::Vec3f& point = result.frame.points.ptr<cv::Vec3f>()[pixel];
+      cv::Vec3f& normal = result.patches.normals.ptr<cv::Vec3f>()[pixel];
+      const Eigen::Vector3f p = motion * scene.frame.point(pixel);
+      const Eigen::Vector3f n = motion.linear() * Eigen::Vector3f(normal[0], normal[1], normal[2]);
+      point = {p.x(), p.y(), p.z()};
+      normal = {n.x(), n.y(), n.z()};
+    }
+  }
+  return result;
+}
+
+Eigen::Isometry3f some_motion() {
+  return Eigen::Translation3f(0.03f, -0.02f, 0.01f) * Eigen::AngleAxisf(0.3f, Eigen::Vector3f(1, 2, -1).normalized());
+}
+
 KnownScene ridge(bool convex) {
   const float side = convex ? 1.f : -1.f;
   return render({{{220, 140, 100, 200}, {0, 0, 1}, {-side, 0, -1}, {40, 40, 200}},

@@ -36,6 +36,13 @@ KnownScene render(const std::vector<PlanarPatch>& patches, const Camera& camera 
 /// The exact plane through a point, as a surface model of type "plane".
 std::shared_ptr<const SurfaceModel> exact_plane(const Eigen::Vector3f& point, Eigen::Vector3f normal);
 
+/// The same scene with its points, normals and planes moved rigidly; every pixel stays where it is, so what a relation
+/// takes from 3D geometry alone must not change. The motion must leave every patch's front towards the camera.
+KnownScene moved(const KnownScene& scene, const Eigen::Isometry3f& motion);
+
+/// A rotation by 0.3 rad about a slanted axis through the camera, and a shift by a few centimetres.
+Eigen::Isometry3f some_motion();
+
 /// A box's two visible faces that meet in a vertical ridge in the image's middle, each at 45 degrees to the view:
 /// convex (the ridge points at the camera) or concave. Surface 0 is left, 1 right. The ridge is 1 m away.
 KnownScene ridge(bool convex);

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "gestalt/scene_folder.h"
 #include "gestalt/synthesis.h"
 
 #include <gtest/gtest.h>

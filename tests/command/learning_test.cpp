@@ -101,7 +101,7 @@ TEST_F(Learning, AnAblatedRelationNeedsAModelOfItsOwn) {
   const std::string ablation = "structural.relations.gabor=off";
   const fs::path out = folder.path() / "out";
   expect_refused(run_gestalt({"segment", synthetic_scene(), "--set", ablation, "--output", out}), 2,
-                 {"paper.json", "the config lacks r_ga", "gestalt train"});
+                 {"default.json", "the config lacks r_ga", "gestalt train"});
   EXPECT_FALSE(fs::exists(out));
   expect_success(run_gestalt({"train", synthetic_scenes(), "--output", model, "--set", ablation}));
   expect_success(run_gestalt(

@@ -41,13 +41,13 @@ std::vector<char*> pointers(std::vector<std::string>& texts) {
   return result;
 }
 
-void interrupt(pid_t child, const fs::path& file) {
+void interrupt(pid_t child, const fs::path& file, int signal) {
   siginfo_t ended{};
   while (!fs::exists(file)) {
     if (::waitid(P_PID, id_t(child), &ended, WEXITED | WNOHANG | WNOWAIT) != 0 || ended.si_pid == child) return;
     std::this_thread::sleep_for(std::chrono::milliseconds(1));
   }
-  ::kill(child, SIGINT);
+  ::kill(child, signal);
 }
 
 }  // namespace
@@ -65,7 +65,7 @@ Outcome run_gestalt(const std::vector<std::string>& arguments, const Surrounding
   const pid_t child = ::fork();
   if (child < 0) throw std::runtime_error("the command cannot be started");
   if (child == 0) become(argv.data(), envp.data(), folder.c_str(), out.c_str(), err.c_str());
-  if (!surroundings.interrupt_after.empty()) interrupt(child, surroundings.interrupt_after);
+  if (!surroundings.interrupt_after.empty()) interrupt(child, surroundings.interrupt_after, surroundings.signal);
   int status = 0;
   ::waitpid(child, &status, 0);
   const int code = WIFEXITED(status) ? WEXITSTATUS(status) : 128 + WTERMSIG(status);

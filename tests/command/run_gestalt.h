@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <csignal>
 #include <filesystem>
 #include <string>
 #include <vector>
@@ -20,7 +21,8 @@ struct Surroundings {
   std::filesystem::path folder = {};           ///< current folder; empty: that of the test
   std::vector<std::string> variables = {};     ///< NAME=value, beside those of the test
   std::filesystem::path standard_output = {};  ///< file or device to write to; empty: kept in Outcome::out
-  std::filesystem::path interrupt_after = {};  ///< SIGINT is sent once this file is there; empty: never
+  std::filesystem::path interrupt_after = {};  ///< the signal is sent once this file is there; empty: never
+  int signal = SIGINT;
 };
 
 /// Runs `gestalt arguments...` to its end.

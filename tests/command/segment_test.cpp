@@ -117,7 +117,7 @@ TEST_F(Segment, WarnsOfAModelTrainedWithOtherParameters) {
   const Outcome outcome = segment({synthetic_scene(), "--set", "structural.minimum_size=40"});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(occurrences("warning", outcome.err), 1) << outcome.err;
-  EXPECT_EQ(occurrences("paper.json", outcome.err), 1) << outcome.err;
+  EXPECT_EQ(occurrences("default.json", outcome.err), 1) << outcome.err;
 }
 
 TEST_F(Segment, TheResultTellsHowItWasMade) {
@@ -140,7 +140,7 @@ TEST_F(Segment, TheResultTellsHowItWasMade) {
   EXPECT_EQ(result.at("config").at("values").at("decision").at("solver").at("params").at("k"), 0.4);
   const json& provenance = result.at("config").at("provenance");
   EXPECT_EQ(provenance.at("decision.solver.params.k"), "--set");
-  EXPECT_GT(occurrences("paper.yaml:", provenance.at("decision.solver.plugin")), 0) << provenance.dump(1);
+  EXPECT_GT(occurrences("default.yaml:", provenance.at("decision.solver.plugin")), 0) << provenance.dump(1);
   EXPECT_FALSE(result.at("gestalt").get<std::string>().empty());
   EXPECT_FALSE(result.at("build").get<std::string>().empty());
 }

@@ -146,7 +146,7 @@ TEST(Configs, TheDefaultIsFoundFromAnyFolder) {
   const TemporaryFolder folder;
   const Outcome outcome = run_gestalt({"config", "check"}, {.folder = folder.path()});
   expect_success(outcome);
-  EXPECT_GT(occurrences("paper.yaml: valid", outcome.out), 0) << outcome.out;
+  EXPECT_GT(occurrences("default.yaml: valid", outcome.out), 0) << outcome.out;
 }
 
 TEST(Configs, CheckTellsEveryErrorAtOnce) {

@@ -41,6 +41,7 @@ struct Config {
   LevelConfig structural;
   std::optional<LevelConfig> assembly;  ///< where the config has this section; never absent when with_assembly
   ComponentConfig solver;               ///< decision.solver
+  ParameterValues figure_ground;        ///< decision.figure_ground, of FigureGroundParams
 };
 
 /// A config file with everything it extends and the command line's overrides merged (docs/config.md tells how), before
@@ -65,10 +66,10 @@ class GESTALT_EXPORT ConfigTree {
   Config resolve(const Registry& registry) const;
 
   /// The resolved config as YAML that reads back to the same config; each line ends with a comment that tells where its
-  /// value came from (`# paper.yaml:12`, `# --set`, `# default`).
+  /// value came from (`# default.yaml:12`, `# --set`, `# default`).
   std::string print(const Registry& registry) const;
 
-  /// {"values": the resolved config, "provenance": {"structural.minimum_size": "paper.yaml:12", ...}}
+  /// {"values": the resolved config, "provenance": {"structural.minimum_size": "default.yaml:12", ...}}
   nlohmann::json to_json(const Registry& registry) const;
 
  private:
@@ -76,8 +77,14 @@ class GESTALT_EXPORT ConfigTree {
   std::unique_ptr<Tree> tree_;
 };
 
-/// configs/paper.yaml of this installation or build tree. Throws ConfigError when it is not there.
+/// configs/default.yaml of this installation or build tree. Throws ConfigError when it is not there.
 GESTALT_EXPORT std::filesystem::path default_config();
+
+/// Everything in the config that surfaces and their roles follow from, as text: equal texts give equal ones.
+GESTALT_EXPORT std::string canonical_surfaces(const Config& config);
+
+/// Everything in the config that changes a result, as text; the model is no part of it.
+GESTALT_EXPORT std::string canonical(const Config& config);
 
 /// Hexadecimal hash (FNV-1a, 64 bits) of everything in the config, but the sensor, that changes the relation values of
 /// a level: two configs with equal hashes can share its model. Throws ConfigError when the config has no such level.

@@ -13,6 +13,7 @@
 #include <vector>
 
 #include "gestalt/export.h"
+#include "gestalt/input.h"
 
 namespace gestalt {
 
@@ -57,11 +58,14 @@ struct GESTALT_EXPORT PooledPixels {
 
   double precision() const;  ///< 1 without any segment
   double recall() const;     ///< 1 without any region
+
+  PooledPixels& operator+=(const PooledPixels& other);
 };
 
 /// One scene's score.
 struct ImageScore {
   PooledPixels pooled;
+  std::vector<PooledPixels> each;  ///< the counts of every region alone, by ascending label (paper, Fig. 5)
   std::int64_t regions = 0;
   std::int64_t segments = 0;
   std::array<OverlapBoundary, background_rule_names.size()> overlap_boundary;  ///< by BackgroundRule
@@ -104,6 +108,12 @@ GESTALT_EXPORT cv::Mat_<std::uint16_t> read_label_image(const std::filesystem::p
 /// Category of each scene name, from a file with the columns scene and category. Empty when there is no such file.
 /// Throws InputError, with the line, when it cannot be understood.
 GESTALT_EXPORT std::map<std::string, std::string> read_categories(const std::filesystem::path& file);
+
+/// Category of each scene, from the file <folder>.csv beside the folder that it is in; "" when there is none.
+GESTALT_EXPORT std::vector<std::string> scene_categories(const std::vector<std::filesystem::path>& scenes);
+
+/// The ground truth of a scene where it has depth, 0 elsewhere: what scores count. Throws InputError when it has none.
+GESTALT_EXPORT cv::Mat_<std::uint16_t> scored_ground_truth(const Input& input);
 
 /// Fold of each scene for cross-validation, in [0, folds): the scenes of a category are dealt out in turn, so that
 /// folds have about the same size and mixture. seed 0 deals in the given order, any other seed shuffles within the

@@ -5,6 +5,7 @@
 #include <Eigen/Core>
 #include <memory>
 #include <nlohmann/json_fwd.hpp>
+#include <optional>
 #include <span>
 #include <string>
 
@@ -33,6 +34,10 @@ class GESTALT_EXPORT SurfaceModel {
 
   /// What result.json tells of the surface.
   virtual nlohmann::json to_json() const = 0;
+
+  /// Parameters of foot(p) on the surface, in which result.json gives its outline: what they mean, to_json() tells.
+  /// None (the default) for a surface that is not parametrised.
+  virtual std::optional<Eigen::Vector2d> parameters(const Eigen::Vector3f& p) const;
 };
 
 /// Primitive level: fits one type of surface to the points of a patch.
@@ -53,6 +58,10 @@ class GESTALT_EXPORT Fitter {
                                                          std::span<const Eigen::Vector3f> points_a,
                                                          const SurfaceModel& b,
                                                          std::span<const Eigen::Vector3f> points_b) const;
+
+  /// Why fit() gives no surface for these points, in a few words ("collinear points"), for result.json; "" when it
+  /// gives one, or does not tell (the default).
+  virtual std::string refusal(std::span<const Eigen::Vector3f> points) const;
 };
 
 }  // namespace gestalt

@@ -14,6 +14,9 @@ namespace gestalt {
 /// object, 30-39 of the second, ... Gives 0 ignored, 1 background, 2 and up an object.
 inline int object_of_label(int label) { return label < 10 ? (label > 0 ? 1 : 0) : label / 10; }
 
+/// Objects with at least one pixel.
+GESTALT_EXPORT int count_objects(const cv::Mat_<std::uint16_t>& ground_truth);
+
 /// Majority object over the pixels of every surface that have ground truth: 0 none, 1 background, >= 2 object.
 /// Ties go to the smaller number.
 GESTALT_EXPORT std::vector<int> surface_objects(const SurfaceSet& surfaces,
@@ -35,13 +38,13 @@ struct LearningScene {
 GESTALT_EXPORT LearningScene make_learning_scene(const Pipeline& pipeline, const Frame& frame,
                                                  const cv::Mat_<std::uint16_t>& ground_truth);
 
-/// The samples of the assembly level: labelled pairs of different groups of the structural level alone (paper,
-/// Section 6).
+/// The samples of the assembly level: the labelled ones of the pairs that the decision looks at (paper, Section 6).
 GESTALT_EXPORT Samples assembly_pairs(const LearningScene& scene, const std::vector<int>& structural_groups);
 
 /// Trains the levels of the pipeline's config on scenes that it has perceived: first the structural level, then, on the
 /// pairs that this leaves apart, the assembly level. Deterministic for equal scenes in equal order. Throws ModelError
-/// when a level has no pairs of both classes.
+/// when a level has no pairs of both classes. Columns may have been taken out of the tables, the same of all scenes:
+/// the models are for what is left.
 GESTALT_EXPORT Models learn(const Pipeline& pipeline, const std::vector<const LearningScene*>& scenes);
 
 }  // namespace gestalt

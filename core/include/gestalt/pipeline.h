@@ -8,6 +8,7 @@
 #include <vector>
 
 #include "gestalt/config.h"
+#include "gestalt/figure_ground.h"
 #include "gestalt/frame.h"
 #include "gestalt/model.h"
 #include "gestalt/patch_map.h"
@@ -33,10 +34,16 @@ struct LevelTimes {
 struct Percept {
   PatchMap patches;
   SurfaceSet surfaces;
+  std::vector<Role> roles;   ///< of each surface
   RelationTable structural;  ///< 3D neighbours
   RelationTable assembly;    ///< all other pairs; empty without the assembly level
   LevelTimes times;
 };
+
+/// The rows of the assembly table that the decision looks at: pairs of different structural groups, neither of the
+/// background. What lies beyond an object may be seen on both of its sides, so that the background is not grouped here.
+GESTALT_EXPORT std::vector<std::size_t> assembly_rows(const Percept& percept,
+                                                      const std::vector<int>& structural_groups);
 
 /// The segmenter: the components of a config, ready to run. Immutable; every method may be called from many threads at
 /// once, and gives the same result for any number of threads.
@@ -83,6 +90,8 @@ class GESTALT_EXPORT Pipeline {
   Grouping structural_;
   std::optional<Grouping> assembly_;
   std::shared_ptr<const Solver> solver_;
+  FigureGroundParams figure_ground_;
+  Graph structural_graph(const Percept& percept, const Model& model) const;
 };
 
 }  // namespace gestalt

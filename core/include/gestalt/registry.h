@@ -70,6 +70,9 @@ class GESTALT_EXPORT Registry {
 GESTALT_EXPORT std::vector<std::filesystem::path> plugin_search_path(
     const std::vector<std::filesystem::path>& from_config);
 
+/// The file of the core library.
+GESTALT_EXPORT std::filesystem::path core_library();
+
 /// Where configs/ and models/ of this installation (or build tree) are, found from the core library itself.
 GESTALT_EXPORT std::filesystem::path data_directory();
 

@@ -14,14 +14,15 @@
 
 namespace gestalt {
 
-/// Everything that was found in a scene and how: size, camera, segments with their surfaces and pixel counts, patches
-/// with their surface models, pairs with all relation values and p, milliseconds of each level. config is
+/// Everything that was found in a scene and how: size, camera, segments with their roles, surfaces and pixel counts,
+/// patches with their surface models, pairs with all relation values and p, milliseconds of each level. config is
 /// ConfigTree::to_json(). Pairs and patches count from 0, segments have their labels.
 GESTALT_EXPORT nlohmann::json result_json(const Input& input, const Percept& percept, const Segmentation& segmentation,
                                           const LevelTimes& times, const nlohmann::json& config);
 
-/// CV_8UC3: the segments tinted over the colour image (over shaded depth when there is none), with their outlines.
-GESTALT_EXPORT cv::Mat draw_segments(const Frame& frame, const cv::Mat_<std::uint16_t>& labels);
+/// CV_8UC3: the objects tinted over the colour image (over shaded depth when there is none), background untinted,
+/// with the outlines of all segments.
+GESTALT_EXPORT cv::Mat draw_segments(const Frame& frame, const Segmentation& segmentation);
 
 /// CV_8UC3: every patch after surface merging in a colour of its own, black where there is none.
 GESTALT_EXPORT cv::Mat draw_patches(const cv::Mat_<int>& labels);
@@ -31,9 +32,9 @@ GESTALT_EXPORT cv::Mat draw_patches(const cv::Mat_<int>& labels);
 /// between different surfaces collinearities (violet) and L-junctions (orange); T-junctions (red crosses).
 GESTALT_EXPORT cv::Mat draw_boundary_lines(const Scene& scene);
 
-/// Writes labels.png, overlay.png, patches.png and result.json, for unorganized clouds also labels.pcd (x y z label,
-/// the original points in their order; label 0 = in no segment), into a folder: all of them
-/// or, with OutputError, none.
+/// Writes labels.png, objects.png (the same with background at 0), overlay.png, patches.png and result.json, for
+/// unorganized clouds also labels.pcd (x y z label, the original points in their order; label 0 = in no segment), into
+/// a folder: all of them or, with OutputError, none.
 GESTALT_EXPORT void write_result(const std::filesystem::path& folder, const Input& input, const Percept& percept,
                                  const Segmentation& segmentation, const LevelTimes& times,
                                  const nlohmann::json& config);

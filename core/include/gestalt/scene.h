@@ -9,6 +9,7 @@
 #include "gestalt/closure.h"
 #include "gestalt/contour.h"
 #include "gestalt/frame.h"
+#include "gestalt/outline.h"
 #include "gestalt/patch_map.h"
 #include "gestalt/surface_set.h"
 
@@ -42,13 +43,17 @@ class GESTALT_EXPORT Scene {
   /// Closed convex contours over those lines, cheapest first.
   const std::vector<Closure>& closures() const;
 
+  /// Points on the contours of every surface, by its index.
+  const std::vector<Outline>& outlines() const;
+
  private:
   const Frame& frame_;
   const PatchMap& patches_;
   const SurfaceSet& surfaces_;
-  mutable std::once_flag grey_once_, yuv_once_, contours_once_, lines_once_, closures_once_;
+  mutable std::once_flag grey_once_, yuv_once_, contours_once_, outlines_once_, lines_once_, closures_once_;
   mutable cv::Mat grey_, yuv_;
   mutable std::vector<std::vector<Contour>> contours_;
+  mutable std::vector<Outline> outlines_;
   mutable BoundaryLines lines_;
   mutable std::vector<Closure> closures_;
 };

@@ -5,6 +5,8 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
+#include "gestalt/export.h"
+#include "gestalt/figure_ground.h"
 #include "gestalt/graph.h"
 
 namespace gestalt {
@@ -13,6 +15,7 @@ namespace gestalt {
 struct Segment {
   std::vector<int> surfaces;  ///< indices into SurfaceSet::surfaces, ascending
   int pixel_count = 0;
+  Role role = Role::object;  ///< of the most pixels; object when they tie
 };
 
 /// The global decision. Segments are numbered by their label: segment i has label i + 1 in the image.
@@ -21,5 +24,8 @@ struct Segmentation {
   std::vector<Segment> segments;   ///< largest first
   Graph graph;
 };
+
+/// The label image with background at 0; what is left keeps its label.
+GESTALT_EXPORT cv::Mat_<std::uint16_t> object_labels(const Segmentation& segmentation);
 
 }  // namespace gestalt

@@ -13,15 +13,16 @@
 
 namespace gestalt {
 
-/// Settings of the primitive level (paper, Section 4.3, Eq. 3 and 8).
+/// Settings of the primitive level (paper, Section 4.3, Eq. 3 and 8). Lengths are given in multiples of what the sensor
+/// can tell apart, so that they hold for any camera: its noise, and the footprint z / f of a pixel.
 struct SurfaceModellingParams {
-  double sigma = 0.003;           ///< m; p(f_i | H) = exp(-e_i^2 / sigma(z)^2)
-  double sigma_z = 0.0;           ///< 1/m; sigma(z) = sigma + sigma_z * z^2
-  double kappa_1 = 0.008;         ///< weight of the number of parameters
-  double kappa_2 = 1.0;           ///< weight of the error
-  int largest_patch = 8000;       ///< px; a larger patch is only modelled by the first fitter (walls, table)
-  double neighbour_depth = 0.01;  ///< m; touching pixels closer in depth make two patches candidates for merging
-  double border_depth_per_metre = 0.007;  ///< touching pixels with |dz| < this * z are 3D border
+  double sigma = 1.8;                     ///< p(f_i | H) = exp(-e_i^2 / s^2), s = sigma * noise(z)
+  double kappa_1 = 0.008;                 ///< weight of the number of parameters
+  double kappa_2 = 1.0;                   ///< weight of the error
+  std::string normalisation = "smaller";  ///< A_m of Eq. 3 for a pair: size of the smaller patch, or of the merged one
+  double largest_solid_angle = 0.03;      ///< sr; a larger patch is only modelled by the first fitter (walls, table)
+  double neighbour_depth = 3.0;           ///< touching pixels with |dz| < this * (noise(z) + z / f) may merge
+  double border_depth = 1.8;              ///< touching pixels with |dz| < this * (noise(z) + z / f) are 3D border
 
   static const Parameters<SurfaceModellingParams>& parameters();
 };
@@ -32,6 +33,10 @@ struct SurfaceModellingParams {
 GESTALT_EXPORT SurfaceSet model_surfaces(const Frame& frame, const PatchMap& patches,
                                          const std::vector<std::shared_ptr<const Fitter>>& fitters,
                                          const SurfaceModellingParams& params);
+
+/// Whether the depths of two pixels differ by less than reach times what the sensor can tell apart: its noise there
+/// plus the footprint of a pixel, which is the step between neighbours on a surface at 45 degrees to the view.
+GESTALT_EXPORT bool are_close(const Frame& frame, const PixelPair& pair, double reach);
 
 /// The adjacencies of a label image (0 = none, else 1 + index), sorted by (a, b).
 GESTALT_EXPORT std::vector<Adjacency> find_adjacencies(const Frame& frame, const cv::Mat_<int>& labels,

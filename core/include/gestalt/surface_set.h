@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <memory>
 #include <opencv2/core.hpp>
+#include <string>
 #include <vector>
 
 #include "gestalt/fitter.h"
@@ -15,6 +16,7 @@ namespace gestalt {
 struct Surface {
   std::vector<int> pixels;                    ///< row-major pixel indices, ascending, not empty
   std::shared_ptr<const SurfaceModel> model;  ///< never null
+  std::vector<std::string> refusals = {};     ///< by fitter, why it has no surface for these pixels; "" if it has one
 };
 
 /// Two touching pixels (8-neighbours) of two surfaces, as row-major indices.

@@ -4,7 +4,6 @@
 
 #include <cstdint>
 #include <filesystem>
-#include <map>
 #include <opencv2/core.hpp>
 #include <string>
 #include <string_view>
@@ -54,13 +53,5 @@ int smallest_object(const Camera& camera);
 /// Writes rgb.png, depth.png (millimetres) and label.png into folder/<name of the scene>/.
 /// Throws OutputError.
 void write_scene(const SyntheticScene& scene, const std::filesystem::path& folder);
-
-/// Writes folder/camera.yaml for the scenes of the folder. Throws OutputError when it exists with other intrinsics.
-void write_camera(const Camera& camera, const std::filesystem::path& folder);
-
-/// Enters the categories of scenes into the table `scene,category`, keeping the rows of other scenes; rows are in
-/// the order of the scenes' names. Makes the file where it does not exist. Throws InputError, with the line, for a
-/// file that is not such a table and OutputError when it cannot be written.
-void merge_categories(const std::filesystem::path& file, const std::map<std::string, std::string>& category_of_scene);
 
 }  // namespace gestalt

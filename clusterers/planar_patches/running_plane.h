@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <Eigen/Geometry>
+#include <cmath>
+
+namespace gestalt {
+
+/// Mean point and mean normal of a set of pixels to which more are added.
+struct RunningPlane {
+  Eigen::Vector3d point_sum = Eigen::Vector3d::Zero();
+  Eigen::Vector3d normal_sum = Eigen::Vector3d::Zero();
+  double count = 0;
+  Eigen::Vector3f normal = Eigen::Vector3f::Zero();  ///< unit; (0, 0, 0) when the normals cancel out
+  float offset = 0;                                  ///< normal . p + offset = 0 on the plane
+
+  /// Takes a pixel in; normal and offset are of no use before the next update().
+  void sum(const Eigen::Vector3f& point, const Eigen::Vector3f& n) {
+    point_sum += point.cast<double>();
+    normal_sum += n.cast<double>();
+    count += 1;
+  }
+  void update() {
+    normal = normal_sum.normalized().cast<float>();
+    offset = -float(normal_sum.normalized().dot(point_sum) / count);
+  }
+  void add(const Eigen::Vector3f& point, const Eigen::Vector3f& n) {
+    sum(point, n);
+    update();
+  }
+  float distance(const Eigen::Vector3f& p) const { return std::abs(normal.dot(p) + offset); }
+};
+
+}  // namespace gestalt

@@ -1,0 +1,15 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gestalt/segmentation.h"
+
+namespace gestalt {
+
+cv::Mat_<std::uint16_t> object_labels(const Segmentation& segmentation) {
+  cv::Mat_<std::uint16_t> objects = segmentation.labels.clone();
+  for (std::uint16_t& label : objects)
+    if (label > 0 && segmentation.segments[std::size_t(label) - 1].role == Role::background) label = 0;
+  return objects;
+}
+
+}  // namespace gestalt

@@ -1,0 +1,167 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+
+#include "gestalt/ablation.h"
+#include "gestalt/error.h"
+#include "gestalt/pipeline.h"
+#include "gestalt/suggest.h"
+#include "whole_file.h"
+
+namespace gestalt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Collects what is wrong with a file of overrides.
+class VariantsFile {
+ public:
+  explicit VariantsFile(fs::path file) : file_(std::move(file)) {}
+
+  std::vector<OverrideSet> read() const {
+    const YAML::Node root = parse();
+    if (!root.IsMap() || root.size() == 0)
+      fail({}, "holds no variants; write a line 'name: [path=value, ...]' for each");
+    std::vector<OverrideSet> sets;
+    for (const auto& entry : root) {
+      const YAML::Mark mark = entry.first.Mark();
+      if (!entry.first.IsScalar()) fail(mark, "the name of a variant must be a word");
+      OverrideSet set{entry.first.Scalar(), {}};
+      for (const OverrideSet& other : sets)
+        if (other.name == set.name) fail(mark, "'" + set.name + "' stands here a second time; keep one");
+      if (entry.second.IsScalar()) {
+        set.overrides.push_back(entry.second.Scalar());
+      } else if (entry.second.IsSequence() && entry.second.size() > 0) {
+        for (const YAML::Node& text : entry.second) {
+          if (!text.IsScalar()) fail(text.Mark(), "an override must be a text path=value");
+          set.overrides.push_back(text.Scalar());
+        }
+      } else {
+        fail(mark, "'" + set.name + "' has no overrides; write [path=value, ...]");
+      }
+      sets.push_back(std::move(set));
+    }
+    return sets;
+  }
+
+ private:
+  YAML::Node parse() const {
+    std::string text;
+    try {
+      text = whole_file(file_);
+    } catch (const InputError& error) {
+      throw ConfigError(error.what());
+    }
+    try {
+      return YAML::Load(text);
+    } catch (const YAML::Exception& error) {
+      fail(error.mark, "is no YAML: " + error.msg);
+    }
+  }
+
+  [[noreturn]] void fail(const YAML::Mark& mark, const std::string& message) const {
+    throw ConfigError(file_.string() + ":" + std::to_string(mark.line + 1) + ":" + std::to_string(mark.column + 1) +
+                      ": " + message);
+  }
+
+  fs::path file_;
+};
+
+std::vector<std::string> split(const std::string& text, char at) {
+  std::vector<std::string> parts{""};
+  for (const char c : text) {
+    if (c == at)
+      parts.emplace_back();
+    else
+      parts.back() += c;
+  }
+  return parts;
+}
+
+LevelConfig& level_of(Config& config, Level level, const std::string& target) {
+  if (level == Level::structural) return config.structural;
+  if (!config.with_assembly)
+    throw ConfigError("--each " + target +
+                      ": the config does without the assembly level; give --set levels=structural+assembly");
+  return *config.assembly;
+}
+
+/// All but one, or only that one.
+template <class T>
+std::vector<T> reduced(const std::vector<T>& all, std::size_t one, EachMode mode) {
+  std::vector<T> kept;
+  for (std::size_t i = 0; i < all.size(); ++i)
+    if ((i == one) == (mode == EachMode::only)) kept.push_back(all[i]);
+  return kept;
+}
+
+}  // namespace
+
+std::vector<OverrideSet> read_override_sets(const fs::path& file) { return VariantsFile(file).read(); }
+
+std::vector<OverrideSet> grid(const std::vector<std::string>& axes) {
+  std::vector<OverrideSet> sets{{"", {}}};
+  for (const std::string& axis : axes) {
+    const std::size_t equals = axis.find('=');
+    const std::string path = axis.substr(0, equals);
+    if (equals == std::string::npos || path.empty())
+      throw ConfigError("--grid " + axis + ": expected path=value,value,..., as in structural.minimum_size=30,60");
+    std::vector<OverrideSet> longer;
+    for (const OverrideSet& set : sets)
+      for (const std::string& value : split(axis.substr(equals + 1), ',')) {
+        if (value.empty()) throw ConfigError("--grid " + axis + ": has an empty value; write path=value,value,...");
+        OverrideSet next = set;
+        next.name += (set.name.empty() ? "" : " ") + path + "=" + value;
+        next.overrides.push_back(path + "=" + value);
+        longer.push_back(std::move(next));
+      }
+    sets = std::move(longer);
+  }
+  if (axes.empty()) sets.clear();
+  return sets;
+}
+
+const std::vector<std::string>& each_targets() {
+  static const std::vector<std::string> targets{"structural.relations", "structural.values", "assembly.relations",
+                                                "assembly.values"};
+  return targets;
+}
+
+std::vector<Variant> each(const Variant& base, const Registry& registry, const std::string& target, EachMode mode) {
+  if (std::find(each_targets().begin(), each_targets().end(), target) == each_targets().end())
+    throw ConfigError("--each " + target + ": there is no such list" + did_you_mean(target, each_targets()) +
+                      "; give structural.relations, structural.values, assembly.relations or assembly.values");
+  const Level level = target.starts_with("structural") ? Level::structural : Level::assembly;
+  Config config = base.config;
+  const std::vector<ComponentConfig> relations = level_of(config, level, target).relations;
+  const bool by_value = target.ends_with("values");
+  std::vector<std::string> names;
+  if (by_value)
+    names = level_values(base.config, registry, level);
+  else
+    for (const ComponentConfig& relation : relations) names.push_back(relation.name);
+  if (names.size() < 2 && mode == EachMode::without)
+    throw ConfigError("--each " + target + ": without '" + names.at(0) + "' nothing would be left");
+
+  std::vector<Variant> variants;
+  for (std::size_t i = 0; i < names.size(); ++i) {
+    Variant variant = base;
+    variant.name = std::string(mode == EachMode::only ? "only " : "without ") + name_of(level) + "." + names[i];
+    if (by_value)
+      (level == Level::structural ? variant.structural_values : variant.assembly_values) = reduced(names, i, mode);
+    else
+      level_of(variant.config, level, target).relations = reduced(relations, i, mode);
+    variants.push_back(std::move(variant));
+  }
+  return variants;
+}
+
+std::vector<std::string> level_values(const Config& config, const Registry& registry, Level level) {
+  return Pipeline(config, registry).expected_model(level).names;
+}
+
+}  // namespace gestalt

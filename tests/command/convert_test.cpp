@@ -1,0 +1,113 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include "gestalt/evaluation.h"
+#include "gestalt/input.h"
+#include "run_gestalt.h"
+#include "scenes.h"
+
+namespace gestalt::test {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// An OSD release of two scenes of 80x60 pixels.
+class Convert : public testing::Test {
+ protected:
+  void SetUp() override {
+    for (const std::string name : {"learn25", "test54"}) write_release_scene(name);
+    folder.write("small.yaml", small_camera());
+  }
+  void write_release_scene(const std::string& name) const {
+    for (const char* kind : {"disparity", "image_color", "annotation"}) fs::create_directories(release / kind);
+    cv::Mat_<std::uint8_t> annotation(small_height, small_width, std::uint8_t{0});
+    annotation(cv::Rect(10, 10, 20, 20)) = 1;
+    annotation(cv::Rect(40, 10, 20, 20)) = 2;
+    write_image(release / "disparity" / (name + ".png"), small_wall());
+    write_image(release / "image_color" / (name + ".png"), cv::Mat(small_wall().size(), CV_8UC3, cv::Scalar(9, 8, 7)));
+    write_image(release / "annotation" / (name + ".png"), annotation);
+  }
+  Outcome convert(const fs::path& input, const std::string& from, std::vector<std::string> more = {}) const {
+    std::vector<std::string> arguments{"convert", input, "--from", from, "--output", out};
+    arguments.insert(arguments.end(), more.begin(), more.end());
+    return run_gestalt(arguments);
+  }
+  const TemporaryFolder folder;
+  const fs::path release = folder.path() / "release", out = folder.path() / "out";
+  const std::string camera = folder.path() / "small.yaml";
+};
+
+TEST_F(Convert, AReleaseBecomesLearnAndTestScenes) {
+  const Outcome outcome = convert(release, "osd", {"--camera", camera});
+  expect_success(outcome);
+  EXPECT_EQ(files_below(out),
+            (std::vector<std::string>{"learn.csv", "learn/learn25/camera.yaml", "learn/learn25/depth.png",
+                                      "learn/learn25/label.png", "learn/learn25/rgb.png", "test.csv",
+                                      "test/test54/camera.yaml", "test/test54/depth.png", "test/test54/label.png",
+                                      "test/test54/rgb.png"}));
+  EXPECT_EQ(content(out / "learn.csv"), "scene,category\nlearn25,occluded_objects\n");
+  EXPECT_EQ(content(out / "test.csv"), "scene,category\ntest54,mixed_objects\n");
+  EXPECT_GT(occurrences("learn25: 2 objects, occluded_objects", outcome.out), 0) << outcome.out;
+
+  const Input scene = read_scene(out / "learn" / "learn25");
+  EXPECT_EQ(scene.frame.camera.fx, 75);
+  EXPECT_EQ(scene.frame.depth(5, 5), 1.0f);
+  EXPECT_EQ(scene.ground_truth(5, 5), 1);
+  EXPECT_EQ(scene.ground_truth(15, 15), 20);
+  EXPECT_EQ(scene.ground_truth(15, 45), 30);
+}
+
+TEST_F(Convert, ASceneThatLacksAnImageIsNamedAndLeavesNothing) {
+  fs::remove(release / "annotation" / "learn25.png");
+  const Outcome outcome = convert(release, "osd", {"--camera", camera});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(occurrences((release / "annotation" / "learn25.png").string(), outcome.err), 1) << outcome.err;
+  EXPECT_FALSE(fs::exists(out / "learn"));
+  EXPECT_FALSE(fs::exists(out / "learn.csv"));
+  EXPECT_TRUE(fs::exists(out / "test" / "test54" / "depth.png"));
+}
+
+TEST_F(Convert, BadInputIsRefused) {
+  expect_refused(convert(folder.path(), "osd"), 3, {"disparity", "OSD release"});
+  expect_refused(convert(folder.path() / "nowhere", "pcd"), 3, {"nowhere", "does not exist"});
+  expect_refused(convert(synthetic_scene(), "pcd"), 3, {"scene folder already"});
+  fs::remove_all(release / "disparity" / "test54.png");
+  for (const char* kind : {"image_color", "annotation"}) fs::remove(release / kind / "test54.png");
+  expect_refused(convert(release, "osd"), 3, {"learn25.png", "80x60", "--camera"});
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(Convert, WrongUsageIsRefused) {
+  EXPECT_EQ(convert(release, "zip").code, 2);
+  EXPECT_EQ(convert(release, "osd", {"--labels", "objects"}).code, 2);
+  EXPECT_EQ(run_gestalt({"convert", release, "--from", "osd"}).code, 2);
+  EXPECT_FALSE(fs::exists(out));
+}
+
+/// A cloud of 2x2 points with labels.
+std::string labelled_cloud(const std::string& labels) {
+  std::string text =
+      "VERSION 0.7\nFIELDS x y z label\nSIZE 4 4 4 4\nTYPE F F F U\nCOUNT 1 1 1 1\nWIDTH 2\nHEIGHT 2\n"
+      "VIEWPOINT 0 0 0 1 0 0 0\nPOINTS 4\nDATA ascii\n";
+  const std::vector<std::string> points{"-0.5 -0.5 1 ", "0.5 -0.5 1 ", "-0.5 0.5 1 ", "0.5 0.5 1 "};
+  for (std::size_t i = 0; i < points.size(); ++i) text += points[i] + labels[i] + "\n";
+  return text;
+}
+
+TEST_F(Convert, LabelledCloudsBecomeScenes) {
+  folder.write("clouds/learn3.pcd", labelled_cloud("0112"));
+  folder.write("clouds/mine.pcd", labelled_cloud("0111"));
+  folder.write("clouds/camera.yaml", "width: 2\nheight: 2\nfx: 1\nfy: 1\ncx: 0.5\ncy: 0.5\n");
+  expect_refused(convert(folder.path() / "clouds" / "mine.pcd", "pcd"), 3, {"mine.pcd", "--labels objects"});
+  expect_success(convert(folder.path() / "clouds", "pcd", {"--labels", "objects"}));
+  EXPECT_EQ(files_below(out),
+            (std::vector<std::string>{"learn.csv", "learn/learn3/camera.yaml", "learn/learn3/depth.png",
+                                      "learn/learn3/label.png", "scenes/mine/camera.yaml", "scenes/mine/depth.png",
+                                      "scenes/mine/label.png"}));
+  EXPECT_EQ(read_label_image(out / "learn" / "learn3" / "label.png")(1, 1), 30);
+}
+
+}  // namespace
+}  // namespace gestalt::test

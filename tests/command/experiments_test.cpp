@@ -1,0 +1,259 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "run_gestalt.h"
+#include "scenes.h"
+
+namespace gestalt::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+using Texts = std::vector<std::string>;
+
+Texts joined(Texts first, const Texts& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
+/// Every finished file below a folder with its bytes. A killed run may leave a temporary file, which nothing reads.
+std::map<std::string, std::string> contents(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const std::string& file : files_below(folder))
+    if (file.find(".tmp") == std::string::npos) files[file] = content(folder / file);
+  return files;
+}
+
+class Ablation : public testing::Test {
+ protected:
+  Outcome ablate(const Texts& more, const std::string& output = "out", const Surroundings& surroundings = {}) const {
+    return run_gestalt(
+        joined({"ablate", synthetic_scenes(), "--cross-validate", "2", "--output", folder.path() / output}, more),
+        surroundings);
+  }
+  fs::path out(const std::string& name) const { return folder.path() / "out" / name; }
+  const TemporaryFolder folder;
+};
+
+TEST_F(Ablation, ScoresOfVariantsAreThoseOfTheirOwnRuns) {
+  const Outcome outcome =
+      ablate({"--each", "structural.relations", "--grid", "structural.minimum_size=30,90", "--json"});
+  expect_success(outcome);
+  const json variants = json::parse(outcome.out).at("variants");
+  EXPECT_EQ(variants.size(), 11u);
+  const auto expect_like = [&](const std::string& name, const Texts& overrides) {
+    Texts arguments{"evaluate", synthetic_scenes(), "--cross-validate", "2", "--json"};
+    for (const std::string& text : overrides) arguments = joined(arguments, {"--set", text});
+    const Outcome own = run_gestalt(arguments);
+    expect_success(own);
+    const json expected = json::parse(own.out), result = variants.at(name);
+    EXPECT_EQ(result.at("scores").back().at("precision"), expected.at("all").at("P")) << name;
+    EXPECT_EQ(result.at("scores").back().at("recall"), expected.at("all").at("R")) << name;
+    EXPECT_EQ(result.at("scores").back().at("overlap_f"), expected.at("all").at("table:oF")) << name;
+    EXPECT_EQ(result.at("structural").at("balanced_error"),
+              expected.at("held_out_pairs").at("structural").at("balanced_error"))
+        << name;
+  };
+  expect_like("base", {});
+  expect_like("without structural.border_curvature", {"structural.relations.border_curvature=off"});
+  expect_like("structural.minimum_size=90", {"structural.minimum_size=90"});
+}
+
+TEST_F(Ablation, WritesTablesAndPlots) {
+  folder.write("variants.yaml",
+               "forest: structural.classifier=random_forest\nno texture: [structural.relations.gabor=off,"
+               " structural.relations.fourier=off]\n");
+  const Outcome outcome = ablate({"--variants", folder.path() / "variants.yaml"});
+  expect_success(outcome);
+  EXPECT_GT(occurrences("2-fold cross-validation over 4 scenes", outcome.out), 0) << outcome.out;
+  EXPECT_GT(occurrences("no texture", outcome.out), 0) << outcome.out;
+  const std::string table = content(out("ablation.csv"));
+  EXPECT_EQ(occurrences("\nbase,", table), 2) << table;  // mixed_objects and all
+  EXPECT_EQ(occurrences("\nforest,all,4,", table), 1) << table;
+  EXPECT_EQ(occurrences("\n", table), 7) << table;
+  const std::string page = content(out("ablation.html"));
+  EXPECT_EQ(occurrences("<svg ", page), 4);
+  EXPECT_EQ(occurrences("src=", page) + occurrences("href=", page), 0);
+  for (const char* plot : {"ablation_pr.svg", "ablation_f.svg", "ablation_error.svg", "ablation_change.svg"}) {
+    EXPECT_EQ(occurrences(plot, content(out("ablation.md"))), 1) << plot;
+    EXPECT_TRUE(fs::exists(out(plot))) << plot;
+  }
+}
+
+TEST_F(Ablation, IsEqualForAnyNumberOfThreads) {
+  const Texts variants{"--each", "structural.values", "--mode", "only"};
+  const Outcome one = ablate(joined(variants, {"--threads", "1"}), "one");
+  const Outcome eight = ablate(joined(variants, {"--threads", "8"}), "eight");
+  expect_success(one);
+  expect_success(eight);
+  EXPECT_EQ(one.out, eight.out);
+  EXPECT_EQ(contents(folder.path() / "one"), contents(folder.path() / "eight"));
+}
+
+TEST_F(Ablation, AKilledRunIsTakenUp) {
+  // Variants of different surfaces: much is left to do when the first is finished.
+  const Texts variants{"--grid", "primitive.model_selection.sigma=0.002,0.004,0.005,0.006,0.007", "--threads", "1"};
+  const Outcome undisturbed = ablate(variants, "undisturbed");
+  expect_success(undisturbed);
+  std::vector<fs::path> results;
+  for (const auto& entry : fs::directory_iterator(folder.path() / "undisturbed" / "results"))
+    results.push_back(entry.path());
+  ASSERT_EQ(results.size(), 6u);
+  const fs::path first = *std::min_element(results.begin(), results.end(), [](const fs::path& a, const fs::path& b) {
+    return fs::last_write_time(a) < fs::last_write_time(b);
+  });
+
+  const fs::path first_again = folder.path() / "killed" / "results" / first.filename();
+  EXPECT_EQ(ablate(variants, "killed", {.interrupt_after = first_again, .signal = SIGKILL}).code, 128 + SIGKILL);
+  const std::size_t finished = contents(folder.path() / "killed").size();
+  EXPECT_GE(finished, 1u);
+  EXPECT_LT(finished, 6u);
+  const auto written = fs::last_write_time(first_again);
+  const Outcome resumed = ablate(variants, "killed");
+  expect_success(resumed);
+  EXPECT_EQ(fs::last_write_time(first_again), written);  // taken, not computed again
+  EXPECT_EQ(resumed.out, undisturbed.out);
+  EXPECT_EQ(contents(folder.path() / "killed"), contents(folder.path() / "undisturbed"));
+}
+
+TEST_F(Ablation, ADamagedResultIsComputedAgain) {
+  const Texts variants{"--grid", "structural.minimum_size=30,90"};
+  const Outcome before = ablate(variants);
+  expect_success(before);
+  const auto files = contents(folder.path() / "out");
+  EXPECT_EQ(files_below(out("results")).size(), 2u);  // 30 is the default: the same as the base
+  const fs::path damaged = out("results") / files_below(out("results")).front();
+  truncate(damaged, 0.5);
+  const Outcome after = ablate(variants);
+  EXPECT_EQ(after.code, 0);
+  EXPECT_EQ(occurrences("gestalt: warning: " + damaged.string() + ": is damaged", after.err), 1) << after.err;
+  EXPECT_EQ(after.out, before.out);
+  EXPECT_EQ(contents(folder.path() / "out"), files);
+}
+
+TEST_F(Ablation, OtherScenesAreOtherResults) {
+  const Texts grid{"--grid", "structural.minimum_size=60"};
+  const Texts few{"ablate", synthetic_scene(0), synthetic_scene(1), synthetic_scene(2), "--output", out("")};
+  expect_success(run_gestalt(joined(few, joined(grid, {"--cross-validate", "2"}))));
+  EXPECT_EQ(files_below(out("results")).size(), 2u);
+  expect_success(run_gestalt(joined(few, joined(grid, {"--cross-validate", "3"}))));
+  EXPECT_EQ(files_below(out("results")).size(), 4u);
+  expect_success(run_gestalt(joined(few, joined(grid, {"--test", synthetic_scene(3)}))));
+  EXPECT_EQ(files_below(out("results")).size(), 6u);
+}
+
+TEST_F(Ablation, BadVariantsAreRefusedBeforeAnythingIsRun) {
+  const auto refuse = [&](const Texts& arguments, const Texts& words) {
+    expect_refused(ablate(arguments), 2, words);
+    EXPECT_FALSE(fs::exists(folder.path() / "out"));
+  };
+  refuse({}, {"nothing to compare", "--each"});
+  refuse({"--each", "structural.relation"}, {"did you mean 'structural.relations'"});
+  refuse({"--each", "assembly.relations", "--set", "levels=structural"}, {"levels=structural+assembly"});
+  refuse({"--grid", "structural.minimum_sise=20,30"}, {"structural.minimum_sise=20", "did you mean 'minimum_size'"});
+  refuse({"--grid", "structural.minimum_size=20,many"}, {"variant 'structural.minimum_size=many'"});
+  refuse({"--grid", "structural.minimum_size"}, {"path=value"});
+  refuse({"--variants", folder.write("v.yaml", "a: [structural.relations.gabour=off]\n")}, {"variant 'a'", "gabor"});
+  refuse({"--variants", folder.write("v.yaml", "base: [structural.minimum_size=20]\n")}, {"two variants", "base"});
+  refuse({"--each", "structural.values", "--each", "structural.values"}, {"two variants are named"});
+  refuse({"--each", "structural.relations", "--seed", "3", "--set", "structural.minimum_size=0"}, {"minimum_size"});
+}
+
+TEST_F(Ablation, ScenesMustHaveGroundTruthAndBeApart) {
+  const Texts each{"--each", "structural.relations", "--output", folder.path() / "out"};
+  const fs::path scene = write_scene(folder.path() / "unlabelled", small_wall());
+  expect_refused(run_gestalt(joined({"ablate", synthetic_scenes(), scene}, each)), 3, {scene.string(), "ground truth"});
+  expect_refused(run_gestalt(joined({"ablate", synthetic_scenes(), "--test", synthetic_scene()}, each)), 2,
+                 {synthetic_scene().string(), "tested on others"});
+  expect_refused(run_gestalt(joined({"ablate", synthetic_scenes()}, each)), 2, {"5 folds of 4 scenes"});
+  EXPECT_EQ(files_below(folder.path() / "out"), Texts{});
+}
+
+class Reproduction : public testing::Test {
+ protected:
+  Outcome reproduce(const fs::path& data, const Texts& more = {}) const {
+    return run_gestalt(joined({"reproduce", data, "--output", out}, more));
+  }
+  /// Two scenes of each of two categories.
+  fs::path make_set(const std::string& name, const std::string& seed) const {
+    const fs::path set = folder.path() / "data" / name;
+    for (const char* category : {"occluded_objects", "boxes"})
+      expect_success(run_gestalt({"synthesize", "--category", category, "--seed", seed, "--count", "2", "--width",
+                                  "320", "--height", "240", "--output", set}));
+    return set;
+  }
+  const TemporaryFolder folder;
+  const fs::path out = folder.path() / "report";
+};
+
+TEST_F(Reproduction, OfAFolderOfScenesIsByCrossValidation) {
+  const Outcome outcome = reproduce(synthetic_scenes(), {"--cross-validate", "2", "--set", "levels=structural"});
+  expect_success(outcome);
+  for (const char* text :
+       {"2-fold cross-validation over 4 scenes", "Table 1", "Table 2", "Table 4", "Figure 5", "r_cu3", "mixed_objects"})
+    EXPECT_GT(occurrences(text, outcome.out), 0) << text << "\nnot in\n" << outcome.out;
+  EXPECT_GT(occurrences("| 1.703 | 21.1 | 92.21 | 95.90 | 66.85 | 94.58 |", content(out / "report.md")), 0);
+  EXPECT_GT(occurrences("<svg ", content(out / "report.html")), 0);
+  EXPECT_TRUE(fs::exists(out / "figure_5_structural.svg"));
+  const auto before = contents(out);
+  const Outcome again = reproduce(synthetic_scenes(), {"--cross-validate", "2", "--set", "levels=structural"});
+  EXPECT_EQ(again.out, outcome.out);
+  EXPECT_EQ(contents(out), before);
+}
+
+TEST_F(Reproduction, OfLearnAndTestSetWithBothLevels) {
+  make_set("learn", "1");
+  make_set("test", "2");
+  const Texts both{"--set", "levels=structural+assembly",
+                   "--set", "assembly.relations.colour_histogram=on",
+                   "--set", "assembly.relations.relative_size=on",
+                   "--set", "assembly.classifier=svm",
+                   "--set", "assembly.minimum_size=30"};
+  const Outcome outcome = reproduce(folder.path() / "data", joined(both, {"--json"}));
+  EXPECT_EQ(outcome.code, 0) << outcome.err;
+  const json result = json::parse(outcome.out);
+  const json base = result.at("variants").at("structural+assembly");
+  EXPECT_EQ(base.at("learn").back().at("images"), 4);
+  EXPECT_EQ(base.at("test").back().at("images"), 4);
+  EXPECT_EQ(base.at("scores").size(), 3u);  // two categories and all
+  EXPECT_GT(base.at("test").back().at("assembly_pairs"), 0);
+  EXPECT_EQ(std::int64_t(base.at("objects").size()), base.at("scores").back().at("objects").get<std::int64_t>());
+  EXPECT_EQ(result.at("paper").at("table_3").size(), 16u);
+  const std::string page = content(out / "report.md");
+  for (const char* text : {"Table 3", "figure_5_assembly.svg", "r\\_co", "| test boxes |"})
+    EXPECT_GT(occurrences(text, page), 0) << text << "\nnot in\n" << page;
+}
+
+TEST_F(Reproduction, WithoutCategoriesCountsAll) {
+  const fs::path set = make_set("learn", "1");
+  fs::remove(set.string() + ".csv");
+  const Outcome outcome =
+      reproduce(folder.path() / "data", {"--cross-validate", "2", "--set", "levels=structural", "--json"});
+  expect_success(outcome);
+  const json scores = json::parse(outcome.out).at("variants").at("structural").at("scores");
+  ASSERT_EQ(scores.size(), 1u);
+  EXPECT_EQ(scores[0].at("category"), "all");
+}
+
+TEST_F(Reproduction, DataThatCannotBeUsedAreRefused) {
+  expect_refused(reproduce(folder.path() / "nowhere"), 3, {"nowhere", "does not exist"});
+  fs::create_directories(folder.path() / "data" / "test");
+  expect_refused(reproduce(folder.path() / "data"), 3, {(folder.path() / "data" / "learn").string(), "test"});
+  fs::create_directories(folder.path() / "data" / "learn");
+  expect_refused(reproduce(folder.path() / "data"), 3, {"holds no scene"});
+  write_scene(folder.path() / "data" / "learn" / "a", small_wall());
+  fs::remove_all(folder.path() / "data" / "test");
+  expect_refused(reproduce(folder.path() / "data"), 2, {"5 folds of 1 scenes"});
+  write_scene(folder.path() / "data" / "learn" / "b", small_wall());
+  expect_refused(reproduce(folder.path() / "data", {"--cross-validate", "2"}), 3, {"ground truth"});
+  EXPECT_FALSE(fs::exists(out));
+}
+
+}  // namespace
+}  // namespace gestalt::test
