@@ -27,6 +27,7 @@ void add_ablate(CLI::App& app, Run& run);
 void add_reproduce(CLI::App& app, Run& run);
 void add_plugins(CLI::App& app, Run& run);
 void add_config(CLI::App& app, Run& run);
+void add_export(CLI::App& app, Run& run);
 void add_info(CLI::App& app, Run& run);
 void add_calibrate_noise(CLI::App& app, Run& run);
 

@@ -56,6 +56,7 @@ int main(int argc, char** argv) {
   add_convert(app, run);
   add_plugins(app, run);
   add_config(app, run);
+  add_export(app, run);
   add_info(app, run);
   add_calibrate_noise(app, run);
   try {

@@ -42,7 +42,8 @@ Smallest smallest_eigenpair(const Eigen::Matrix3f& m) {
   return {value, vector / std::sqrt(longest)};
 }
 
-constexpr int full_window = 8;  // px; of larger radii only every second, third, ... row and column is looked at
+constexpr float edge_on = 1e-4f;  // cosine of ray and normal below which a camera sees no surface, only noise
+constexpr int full_window = 8;    // px; of larger radii only every second, third, ... row and column is looked at
 
 }  // namespace
 
@@ -84,7 +85,10 @@ NormalMap estimate_normals(const Frame& frame, const Tolerances& tolerances) {
         // Scaled to a trace of 1: float32 then has room for the cubes of the closed form.
         const Smallest smallest = smallest_eigenpair(covariance / total);
         if (smallest.vector.isZero()) continue;
-        const float towards = smallest.vector.dot(Eigen::Vector3f(p[0], p[1], p[2])) > 0 ? -1.f : 1.f;
+        const Eigen::Vector3f ray(p[0], p[1], p[2]);
+        const float along = smallest.vector.dot(ray);
+        if (std::abs(along) < edge_on * ray.norm()) continue;
+        const float towards = along > 0 ? -1.f : 1.f;
         map.normals(v, u) = {towards * smallest.vector.x(), towards * smallest.vector.y(),
                              towards * smallest.vector.z()};
         map.curvature(v, u) = std::clamp(smallest.value, 0.f, 1.f / 3);

@@ -11,7 +11,8 @@ namespace gestalt {
 
 /// Every pixel's normal.
 struct NormalMap {
-  cv::Mat_<cv::Vec3f> normals;  ///< unit, towards the camera; (0, 0, 0) without depth or with fewer than 3 neighbours
+  cv::Mat_<cv::Vec3f>
+      normals;  ///< unit, towards the camera; (0, 0, 0) without depth, with fewer than 3 neighbours, or seen edge-on
   cv::Mat_<float>
       curvature;  ///< smallest eigenvalue over the sum of all three, in [0, 1/3]; 1 where there is no normal
 };

@@ -10,8 +10,7 @@ namespace gestalt {
 
 namespace {
 
-constexpr double reference_focal_length = 525;  // px
-constexpr double largest_window = 64;           // px
+constexpr double largest_window = 64;  // px
 
 }  // namespace
 
@@ -19,7 +18,7 @@ Tolerances::Tolerances(const Frame& frame, const ToleranceParams& params)
     : params_(params),
       noise_(frame.noise),
       focal_length_(std::sqrt(frame.camera.fx * frame.camera.fy)),
-      scale_(focal_length_ / reference_focal_length) {}
+      scale_(std::sqrt(pixel_density(frame.camera))) {}
 
 Tolerances Tolerances::halved() const {
   Tolerances half = *this;

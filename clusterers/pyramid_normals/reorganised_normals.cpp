@@ -47,8 +47,8 @@ NormalMap reorganise(const Frame& frame, NormalMap map, const Tolerances& tolera
             }
           const cv::Vec3f pulled = map.normals(v, u) + alpha * sum;
           const float length = std::sqrt(pulled.dot(pulled));
-          if (!(length > 0)) continue;
-          next(v, u) = pulled * (1 / length);
+          // One that would turn from the camera stays as it was.
+          next(v, u) = length > 0 && pulled.dot(point) < 0 ? pulled * (1 / length) : own;
           if (squared_distance(next(v, u), own) > still * still) moved = true;
         }
     });

@@ -57,7 +57,7 @@ class Layer {
   }
   Key level(const char* name, LevelDraft& into) {
     return section(name, {list("relations", into.relations), component("classifier", into.classifier),
-                          value("minimum_size", into.minimum_size)});
+                          value("minimum_size", into.minimum_size), value("negatives", into.negatives)});
   }
   Key component(const char* name, ComponentDraft& into) {
     return {name, [this, &into](const Node& n, const std::string& p) { read_component(into, n, p); }};

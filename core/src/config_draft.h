@@ -39,8 +39,9 @@ struct LevelDraft {
   ComponentListDraft relations;
   ComponentDraft classifier;
   std::optional<Node> minimum_size;
+  std::optional<Node> negatives;
 
-  bool named() const { return relations.place || classifier.plugin || minimum_size; }
+  bool named() const { return relations.place || classifier.plugin || minimum_size || negatives; }
 };
 
 /// A config in which layer after layer is merged: the extended files, the file itself, each override.

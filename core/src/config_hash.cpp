@@ -29,7 +29,8 @@ std::string level_text(Level name, const LevelConfig& level) {
   std::string text = std::string(name_of(name)) + "\n" + component_text("classifier", level.classifier);
   for (const ComponentConfig& relation : level.relations)
     text += component_text("relation " + relation.name, relation);  // its values are named after it
-  return text + "minimum_size " + std::to_string(level.minimum_size) + "\n";
+  return text + "minimum_size " + std::to_string(level.minimum_size) + "\nnegatives " +
+         std::to_string(level.negatives) + "\n";
 }
 
 }  // namespace

@@ -92,6 +92,7 @@ class Yaml {
                removed == resolution_.removed_relations.end() ? std::vector<std::string>{} : removed->second);
     write_component(1, "classifier", path + ".classifier", config.classifier);
     write_value(1, "minimum_size", path + ".minimum_size", std::to_string(config.minimum_size));
+    write_value(1, "negatives", path + ".negatives", std::to_string(config.negatives));
   }
 
   void write_component(int level, const std::string& key, const std::string& path, const ComponentConfig& component) {
@@ -130,7 +131,8 @@ json list_values(const std::vector<ComponentConfig>& components) {
 json level_values(const LevelConfig& level) {
   return {{"relations", list_values(level.relations)},
           {"classifier", component_values(level.classifier)},
-          {"minimum_size", level.minimum_size}};
+          {"minimum_size", level.minimum_size},
+          {"negatives", level.negatives}};
 }
 
 }  // namespace

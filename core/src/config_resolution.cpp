@@ -24,7 +24,18 @@ Parameter minimum_size_declaration(Level level) {
           1'000'000,
           {},
           "pixels",
-          "smallest patch whose relations are computed"};
+          "smallest patch whose relations are computed, for a focal length of 525"};
+}
+
+Parameter negatives_declaration() {
+  return {"negatives",
+          Parameter::Type::integer,
+          std::int64_t{1'000'000},
+          1,
+          1'000'000,
+          {},
+          "pairs",
+          "largest number of negative pairs that learning takes of one scene"};
 }
 
 constexpr const char* both_levels = "structural+assembly";
@@ -66,10 +77,11 @@ class Resolver {
 
   LevelConfig level(Level level, const LevelDraft& draft) {
     const std::string path = name_of(level);
-    return {list("relation", path + ".relations", draft.relations, result_.removed_relations[level]),
-            single("classifier", path + ".classifier", draft.classifier),
-            int(std::get<std::int64_t>(
-                value(minimum_size_declaration(level), draft.minimum_size, path + ".minimum_size")))};
+    return {
+        list("relation", path + ".relations", draft.relations, result_.removed_relations[level]),
+        single("classifier", path + ".classifier", draft.classifier),
+        int(std::get<std::int64_t>(value(minimum_size_declaration(level), draft.minimum_size, path + ".minimum_size"))),
+        int(std::get<std::int64_t>(value(negatives_declaration(), draft.negatives, path + ".negatives")))};
   }
 
   ComponentConfig single(const char* kind, const std::string& path, const ComponentDraft& draft) {

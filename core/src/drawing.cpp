@@ -11,7 +11,8 @@
 
 namespace gestalt {
 
-cv::Vec3b colour_of(int label) {
+cv::Vec3b segment_colour(int label) {
+  // Hues a golden section apart: neighbouring numbers differ most.
   const double hue = std::fmod(label * 0.618033988749895, 1.0) * 6;
   const double value = label % 3 == 1 ? 0.75 : 1.0, saturation = label % 2 == 0 ? 0.65 : 0.9;
   const auto channel = [&](double offset) {
@@ -50,7 +51,7 @@ cv::Mat draw_segments(const Frame& frame, const Segmentation& segmentation) {
       else if (segmentation.segments[std::size_t(own) - 1].role == Role::background)
         pixel = base;
       else
-        pixel = base * 0.5 + colour_of(own) * 0.5;
+        pixel = base * 0.5 + segment_colour(own) * 0.5;
     }
   return picture;
 }
@@ -59,7 +60,7 @@ cv::Mat draw_patches(const cv::Mat_<int>& labels) {
   cv::Mat picture(labels.size(), CV_8UC3, cv::Scalar::all(0));
   for (int v = 0; v < labels.rows; ++v)
     for (int u = 0; u < labels.cols; ++u)
-      if (labels(v, u) > 0) picture.at<cv::Vec3b>(v, u) = colour_of(labels(v, u));
+      if (labels(v, u) > 0) picture.at<cv::Vec3b>(v, u) = segment_colour(labels(v, u));
   return picture;
 }
 

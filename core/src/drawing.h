@@ -8,9 +8,6 @@
 
 namespace gestalt {
 
-/// A colour for each label, blue green red: hues a golden section apart, so that neighbouring numbers differ most.
-cv::Vec3b colour_of(int label);
-
 /// CV_8UC3: the colour image, or depth as grey from near (bright) to far.
 cv::Mat backdrop(const Frame& frame);
 

@@ -13,7 +13,8 @@ namespace gestalt {
 
 namespace {
 
-constexpr std::size_t samples_of_a_surface = 300;
+constexpr std::size_t samples_of_a_frame = 20000;
+constexpr std::size_t fewest_samples = 20, most_samples = 300;  // of a surface
 constexpr std::size_t largest_number_of_sheets = 64;
 constexpr double most = 0.8;  // of a surface's points: decides where it lies
 
@@ -75,17 +76,29 @@ class Sheet {
   void enclose(const std::vector<Cloud>& clouds) {
     first_axis_ = plane.normal.unitOrthogonal();
     second_axis_ = plane.normal.cross(first_axis_);
-    std::vector<cv::Point2f> points;
+    std::vector<cv::Point2f> points, hull;
     for (const int s : surfaces)
       for (const Eigen::Vector3f& p : clouds[std::size_t(s)].points) points.push_back(in_plane(p));
-    cv::convexHull(points, hull_);
-    for (const cv::Point2f& a : hull_)
-      for (const cv::Point2f& b : hull_) diameter = std::max(diameter, double(cv::norm(a - b)));
+    cv::convexHull(points, hull);
+    for (const cv::Point2f& a : hull)
+      for (const cv::Point2f& b : hull) diameter = std::max(diameter, double(cv::norm(a - b)));
+    cv::Point2f middle(0, 0);
+    for (const cv::Point2f& corner : hull) middle += corner / float(hull.size());
+    for (std::size_t i = 0; i < hull.size(); ++i) {
+      const cv::Point2f corner = hull[i], along = hull[(i + 1) % hull.size()] - corner;
+      const double length = cv::norm(along);
+      if (!(length > 0)) continue;
+      cv::Point2f outward = cv::Point2f(along.y, -along.x) / float(length);
+      if (outward.dot(middle - corner) > 0) outward = -outward;
+      edges_.push_back({outward, outward.dot(corner)});
+    }
   }
 
-  /// Whether a point lies over the hull, or beside it by no more than margin metres.
+  /// Whether a point lies over the hull, or outside none of its edges by more than margin metres.
   bool holds(const Eigen::Vector3f& p, double margin) const {
-    return cv::pointPolygonTest(hull_, in_plane(p), true) >= -margin;
+    const cv::Point2f q = in_plane(p);
+    return std::all_of(edges_.begin(), edges_.end(),
+                       [&](const Edge& edge) { return double(edge.outward.dot(q) - edge.offset) <= margin; });
   }
 
  private:
@@ -95,7 +108,11 @@ class Sheet {
   }
 
   Eigen::Vector3d first_axis_, second_axis_;
-  std::vector<cv::Point2f> hull_;
+  struct Edge {
+    cv::Point2f outward;  // unit normal
+    float offset;
+  };
+  std::vector<Edge> edges_;
 };
 
 class FigureGround {
@@ -132,7 +149,9 @@ class FigureGround {
   Cloud sample(const Surface& surface) const {
     Cloud cloud;
     cloud.pixels = double(surface.pixels.size());
-    const std::size_t step = (surface.pixels.size() + samples_of_a_surface - 1) / samples_of_a_surface;
+    const std::size_t samples =
+        std::clamp(samples_of_a_frame / surfaces_.surfaces.size(), fewest_samples, most_samples);
+    const std::size_t step = (surface.pixels.size() + samples - 1) / samples;
     for (std::size_t i = 0; i < surface.pixels.size(); i += step)
       cloud.points.push_back(frame_.point(surface.pixels[i]));
     return cloud;
@@ -140,11 +159,18 @@ class FigureGround {
 
   double tolerance(const Eigen::Vector3f& p) const { return params_.tolerance * frame_.noise.at(double(p.z())); }
 
+  /// Whether most points of a surface lie in a plane, and its mean half as near: noise averages out, the bottom of a
+  /// bowl stays above the table.
   bool lies_in(const Cloud& cloud, const Plane& plane) const {
-    const auto near = std::count_if(cloud.points.begin(), cloud.points.end(), [&](const Eigen::Vector3f& p) {
-      return std::abs(plane.distance(p)) < tolerance(p);
-    });
-    return double(near) >= most * double(cloud.points.size());
+    std::size_t near = 0;
+    double sum = 0;
+    for (const Eigen::Vector3f& p : cloud.points) {
+      const double deviation = plane.distance(p) / tolerance(p);
+      near += std::abs(deviation) < 1;
+      sum += deviation;
+    }
+    const auto count = double(cloud.points.size());
+    return double(near) >= most * count && std::abs(sum) < 0.5 * count;
   }
 
   Position position(const Cloud& cloud, const Sheet& sheet, double margin) const {
@@ -255,15 +281,17 @@ class FigureGround {
   }
 
   bool is_table(const Sheet& sheet, const Sheet& ground) const {
-    if (sheet.area < params_.relative_area * ground.area &&
-        (sheet.area < params_.smallest_support || leads_to_a_support(sheet)))
-      return false;
-    double standing = 0, own = 0;
+    double standing = 0, own = 0, over_ground = 0;
     std::vector<bool> counted(clouds_.size(), false);
     for (const int s : sheet.surfaces) {
-      own += clouds_[std::size_t(s)].pixels;
+      const Cloud& cloud = clouds_[std::size_t(s)];
+      own += cloud.pixels;
+      over_ground += cloud.pixels * position(cloud, ground, params_.margin * ground.diameter).before_hull;
       counted[std::size_t(s)] = true;
     }
+    const bool large_enough =
+        2 * over_ground > own ? sheet.area >= params_.smallest_support : own >= params_.largest_remainder * all_pixels_;
+    if (sheet.area < params_.relative_area * ground.area && (!large_enough || leads_to_a_support(sheet))) return false;
     for (const int s : sheet.surfaces)
       for (const int other : touching_[std::size_t(s)]) {
         if (counted[std::size_t(other)] || roles_[std::size_t(other)] == Role::background) continue;
@@ -308,7 +336,7 @@ class FigureGround {
     bool on = false;
     for (const Sheet* support : supports_) {
       const Position where = position(cloud, *support, params_.margin * support->diameter);
-      if (where.within >= most) return false;
+      if (lies_in(cloud, support->plane)) return false;
       on = on || where.before_hull >= where.behind + (where.before - where.before_hull);
     }
     return on;

@@ -70,6 +70,24 @@ Samples assembly_pairs(const LearningScene& scene, const std::vector<int>& struc
 
 namespace {
 
+/// Leaves evenly spread ones of the negative samples, so that a crowded scene, whose pairs grow with the square of its
+/// patches, does not outweigh all others.
+Samples with_few_negatives(const Samples& all, std::size_t largest) {
+  const auto negatives = std::size_t(std::count(all.positive.begin(), all.positive.end(), 0));
+  if (negatives <= largest) return all;
+  Samples few{all.columns, {}, {}};
+  std::size_t seen = 0;
+  for (std::size_t i = 0; i < all.rows(); ++i) {
+    if (!all.positive[i]) {
+      const std::size_t before = seen++ * largest / negatives;
+      if (before == seen * largest / negatives) continue;
+    }
+    few.positive.push_back(all.positive[i]);
+    few.values.insert(few.values.end(), all.row(i).begin(), all.row(i).end());
+  }
+  return few;
+}
+
 void append(Samples& samples, const Samples& more) {
   samples.values.insert(samples.values.end(), more.values.begin(), more.values.end());
   samples.positive.insert(samples.positive.end(), more.positive.begin(), more.positive.end());
@@ -84,10 +102,12 @@ Model learn_level(const Pipeline& pipeline, Level level, const std::vector<const
   ExpectedModel expected = pipeline.expected_model(level);
   // The same, unless somebody took columns out to learn without them.
   if (!scenes.empty()) expected.names = table_of(scenes.front()->percept, level).names;
+  const LevelConfig& config =
+      level == Level::structural ? pipeline.config().structural : pipeline.config().assembly.value();
   Samples samples{expected.names.size(), {}, {}};
   TrainingData training;
   for (const LearningScene* scene : scenes) {
-    append(samples, samples_of(*scene));
+    append(samples, with_few_negatives(samples_of(*scene), std::size_t(config.negatives)));
     training.scenes.push_back(scene->name);
   }
   try {

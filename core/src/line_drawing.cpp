@@ -31,10 +31,10 @@ void draw_closures(cv::Mat& picture, const std::vector<Closure>& closures) {
     for (const Eigen::Vector2f& p : closures[i].outline) outline.push_back(at(p));
     cv::Mat area(picture.size(), CV_8U, cv::Scalar(0));
     cv::fillPoly(area, std::vector{outline}, 255);
-    cv::Mat tinted(picture.size(), CV_8UC3, cv::Scalar(colour_of(int(i) + 1)));
+    cv::Mat tinted(picture.size(), CV_8UC3, cv::Scalar(segment_colour(int(i) + 1)));
     cv::addWeighted(picture, 0.8, tinted, 0.2, 0, tinted);
     tinted.copyTo(picture, area);
-    cv::polylines(picture, outline, true, colour_of(int(i) + 1), 1, cv::LINE_AA);
+    cv::polylines(picture, outline, true, segment_colour(int(i) + 1), 1, cv::LINE_AA);
   }
 }
 

@@ -133,18 +133,19 @@ Percept Pipeline::perceive(const Frame& given) const {
     const Stopwatch watch(percept.times.decision);
     percept.roles = find_roles(frame, percept.surfaces, figure_ground_);
   }
+  percept.pixel_density = pixel_density(frame.camera);
   std::optional<Measures> measures;
   const Scene scene(frame, percept.patches, percept.surfaces);
   {
     const Stopwatch watch(percept.times.structural);
     measures.emplace(scene, relations_);
-    percept.structural =
-        relate(neighbour_pairs(percept.surfaces, structural_.minimum_size), structural_.relations, *measures);
+    percept.structural = relate(neighbour_pairs(percept.surfaces, structural_.minimum_size * percept.pixel_density),
+                                structural_.relations, *measures);
   }
   if (assembly_) {
     const Stopwatch watch(percept.times.assembly);
-    percept.assembly =
-        relate(non_neighbour_pairs(percept.surfaces, assembly_->minimum_size), assembly_->relations, *measures);
+    percept.assembly = relate(non_neighbour_pairs(percept.surfaces, assembly_->minimum_size * percept.pixel_density),
+                              assembly_->relations, *measures);
   }
   return percept;
 }

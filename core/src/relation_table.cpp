@@ -42,15 +42,15 @@ std::vector<std::string> value_names(const std::vector<NamedRelation>& relations
 namespace {
 
 /// Whether each surface has at least minimum_size pixels.
-std::vector<bool> large_enough(const SurfaceSet& surfaces, int minimum_size) {
+std::vector<bool> large_enough(const SurfaceSet& surfaces, double minimum_size) {
   std::vector<bool> large;
-  for (const Surface& surface : surfaces.surfaces) large.push_back(int(surface.pixels.size()) >= minimum_size);
+  for (const Surface& surface : surfaces.surfaces) large.push_back(double(surface.pixels.size()) >= minimum_size);
   return large;
 }
 
 }  // namespace
 
-std::vector<SurfacePair> neighbour_pairs(const SurfaceSet& surfaces, int minimum_size) {
+std::vector<SurfacePair> neighbour_pairs(const SurfaceSet& surfaces, double minimum_size) {
   const std::vector<bool> large = large_enough(surfaces, minimum_size);
   std::vector<SurfacePair> pairs;
   for (const Adjacency& adjacency : surfaces.adjacencies)
@@ -59,7 +59,7 @@ std::vector<SurfacePair> neighbour_pairs(const SurfaceSet& surfaces, int minimum
   return pairs;
 }
 
-std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, int minimum_size) {
+std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, double minimum_size) {
   const std::vector<bool> large = large_enough(surfaces, minimum_size);
   std::vector<SurfacePair> pairs;
   auto adjacency = surfaces.adjacencies.begin();

@@ -5,10 +5,16 @@
 
 #include <pcl/io/pcd_io.h>
 #include <pcl/point_types.h>
+#include <tbb/parallel_for.h>
 
+#include <algorithm>
+#include <cmath>
 #include <map>
+#include <iterator>
 #include <nlohmann/json.hpp>
+#include <opencv2/imgproc.hpp>
 
+#include "gestalt/contour.h"
 #include "gestalt/output_file.h"
 
 namespace gestalt {
@@ -31,12 +37,44 @@ Json segments_json(const Segmentation& segmentation) {
   return segments;
 }
 
-Json patches_json(const SurfaceSet& surfaces) {
-  Json patches = Json::array();
-  for (std::size_t i = 0; i < surfaces.surfaces.size(); ++i)
-    patches.push_back({{"patch", i},
-                       {"pixels", surfaces.surfaces[i].pixels.size()},
-                       {"surface", surfaces.surfaces[i].model->to_json()}});
+/// To 10 micrometres, or as much of a B-spline's domain.
+double rounded(double value) { return std::round(value * 1e5) / 1e5; }
+
+/// Contours in the parameters of the surface, without the pixels that deviate by a pixel or less from a straight line.
+Json outlines_json(const Frame& frame, const SurfaceModel& model, const std::vector<Contour>& contours) {
+  Json outlines = Json::array();
+  for (const Contour& contour : contours) {
+    std::vector<cv::Point> line, corners;
+    for (const int pixel : contour.pixels) line.emplace_back(pixel % frame.width(), pixel / frame.width());
+    cv::approxPolyDP(line, corners, 1, true);
+    Json vertices = Json::array();
+    for (const cv::Point& corner : corners)
+      if (const auto place = model.parameters(frame.point(corner.y * frame.width() + corner.x)))
+        vertices.push_back({rounded(place->x()), rounded(place->y())});
+    if (!vertices.empty()) outlines.push_back({{"hole", contour.hole}, {"vertices", std::move(vertices)}});
+  }
+  return outlines;
+}
+
+double rms_distance(const Frame& frame, const Surface& surface) {
+  double sum = 0;
+  for (const int pixel : surface.pixels) sum += double(surface.model->squared_distance(frame.point(pixel)));
+  return std::sqrt(sum / double(surface.pixels.size()));
+}
+
+Json patches_json(const Frame& frame, const SurfaceSet& surfaces) {
+  const std::vector<std::vector<Contour>> contours = find_contours(surfaces);
+  std::vector<Json> patches(surfaces.surfaces.size());
+  tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t i) {
+    const Surface& surface = surfaces.surfaces[i];
+    patches[i] = {{"patch", i},
+                  {"pixels", surface.pixels.size()},
+                  {"surface", surface.model->to_json()},
+                  {"rms", rms_distance(frame, surface)},
+                  {"outlines", outlines_json(frame, *surface.model, contours[i])}};
+    if (std::any_of(surface.refusals.begin(), surface.refusals.end(), [](const auto& r) { return !r.empty(); }))
+      patches[i]["refusals"] = surface.refusals;
+  });
   return patches;
 }
 
@@ -82,13 +120,13 @@ std::string point_labels(const Input& input, const cv::Mat_<std::uint16_t>& labe
 Json result_json(const Input& input, const Percept& percept, const Segmentation& segmentation, const LevelTimes& times,
                  const Json& config) {
   return {{"format", "gestalt-result"},
-          {"version", 1},
+          {"version", 2},
           {"gestalt", GESTALT_VERSION},
           {"build", build_fingerprint()},
           {"scene", input.frame.name},
           {"camera", camera_json(input.frame.camera)},
           {"segments", segments_json(segmentation)},
-          {"patches", patches_json(percept.surfaces)},
+          {"patches", patches_json(input.frame, percept.surfaces)},
           {"pairs", pairs_json(percept, segmentation.graph)},
           {"milliseconds",
            {{"signal", times.signal},
@@ -101,7 +139,8 @@ Json result_json(const Input& input, const Percept& percept, const Segmentation&
 }
 
 void write_result(const std::filesystem::path& folder, const Input& input, const Percept& percept,
-                  const Segmentation& segmentation, const LevelTimes& times, const Json& config) {
+                  const Segmentation& segmentation, const LevelTimes& times, const Json& config,
+                  std::vector<OutputFile> more) {
   std::vector<OutputFile> files{{folder / "labels.png", encode_png(segmentation.labels)},
                                 {folder / "objects.png", encode_png(object_labels(segmentation))},
                                 {folder / "overlay.png", encode_png(draw_segments(input.frame, segmentation))},
@@ -112,6 +151,7 @@ void write_result(const std::filesystem::path& folder, const Input& input, const
       {folder / "result.json",
        result_json(input, percept, segmentation, times, config).dump(1, ' ', false, Json::error_handler_t::replace) +
            "\n"});
+  std::move(more.begin(), more.end(), std::back_inserter(files));
   write_files(files);
 }
 

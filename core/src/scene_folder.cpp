@@ -100,7 +100,7 @@ void merge_categories(const fs::path& file, const std::map<std::string, std::str
   }
   for (const auto& [scene, category] : category_of_scene) rows[scene] = category;
   std::string text = header + '\n';
-  for (const auto& [scene, category] : rows) text += scene + ',' + category + '\n';
+  for (const auto& [scene, category] : rows) text.append(scene).append(",").append(category).append("\n");
   write_file(file, text);
 }
 

@@ -132,7 +132,8 @@ class SurfaceModeller {
   double error_of(const SurfaceModel& model, const std::vector<Eigen::Vector3f>& points,
                   double enough = std::numeric_limits<double>::infinity()) const {
     const std::size_t step = (points.size() + error_samples - 1) / error_samples;
-    const double share = double(points.size()) / double((points.size() + step - 1) / step);
+    const std::size_t samples = (points.size() + step - 1) / step;
+    const double share = double(points.size()) / double(samples);
     double sum = 0;
     for (std::size_t i = 0; i < points.size() && sum <= enough; i += step) {
       const double sigma = params_.sigma * noise_.at(points[i].z());

@@ -119,6 +119,7 @@ void expect_equal(const LevelConfig& a, const LevelConfig& b) {
   expect_equal(a.relations, b.relations);
   expect_equal(a.classifier, b.classifier);
   EXPECT_EQ(a.minimum_size, b.minimum_size);
+  EXPECT_EQ(a.negatives, b.negatives);
 }
 
 void expect_equal(const Config& a, const Config& b) {

@@ -269,6 +269,7 @@ struct Task {
 /// Computes variants with equal surfaces.
 void run_group(const std::vector<Task*>& tasks, const Registry& registry, const SceneSet& set, Reporter& reporter) {
   std::vector<const Variant*> variants;
+  variants.reserve(tasks.size());
   for (const Task* task : tasks) variants.push_back(task->variant);
   const SharedFeatures features(variants, registry);
   const SharedScenes shared = perceive(features, set);

@@ -15,6 +15,8 @@ template <class... Cases>
 struct Overloaded : Cases... {
   using Cases::operator()...;
 };
+template <class... Cases>
+Overloaded(Cases...) -> Overloaded<Cases...>;
 
 std::string join(const Report& report, const auto& show) {
   std::string text;
@@ -49,7 +51,8 @@ std::string markdown_table(const TextTable& table) {
 
 std::string html_row(const std::vector<std::string>& cells, const std::string& tag) {
   std::string row = "<tr>";
-  for (const std::string& cell : cells) row += "<" + tag + ">" + escape_xml(cell) + "</" + tag + ">";
+  for (const std::string& cell : cells)
+    row.append("<").append(tag).append(">").append(escape_xml(cell)).append("</" + tag + ">");
   return row + "</tr>\n";
 }
 
@@ -136,7 +139,7 @@ std::string csv(const TextTable& table) {
       std::string cell = cells[i];
       if (cell.find_first_of(",\"\r\n") != std::string::npos) {
         for (std::size_t at = 0; (at = cell.find('"', at)) != std::string::npos; at += 2) cell.insert(at, 1, '"');
-        cell = "\"" + cell + "\"";
+        cell.insert(0, 1, '"').append(1, '"');
       }
       text += (i == 0 ? "" : ",") + cell;
     }

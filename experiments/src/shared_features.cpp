@@ -43,6 +43,7 @@ void append_columns(const RelationTable& shared, const ComponentConfig& listed, 
 
 void keep_only(const std::vector<std::string>& values, std::vector<Column>& columns) {
   std::vector<std::string> names;
+  names.reserve(columns.size());
   for (const Column& column : columns) names.push_back(column.name);
   for (const std::string& value : values)
     if (std::find(names.begin(), names.end(), value) == names.end())
@@ -52,9 +53,8 @@ void keep_only(const std::vector<std::string>& values, std::vector<Column>& colu
   });
 }
 
-RelationTable select(const RelationTable& shared, const std::vector<Surface>& surfaces,
-                     const std::vector<ComponentConfig>& listed, const LevelConfig& level,
-                     const std::optional<std::vector<std::string>>& values) {
+RelationTable select(const RelationTable& shared, const Percept& percept, const std::vector<ComponentConfig>& listed,
+                     const LevelConfig& level, const std::optional<std::vector<std::string>>& values) {
   std::vector<Column> columns;
   for (const ComponentConfig& own : level.relations) {
     const auto same = std::find_if(listed.begin(), listed.end(), [&](const auto& known) { return equal(known, own); });
@@ -65,7 +65,8 @@ RelationTable select(const RelationTable& shared, const std::vector<Surface>& su
   RelationTable table;
   for (const Column& column : columns) table.names.push_back(column.name);
   const auto large_enough = [&](int surface) {
-    return int(surfaces[std::size_t(surface)].pixels.size()) >= level.minimum_size;
+    return double(percept.surfaces.surfaces[std::size_t(surface)].pixels.size()) >=
+           level.minimum_size * percept.pixel_density;
   };
   for (std::size_t i = 0; i < shared.pairs.size(); ++i) {
     if (!large_enough(shared.pairs[i].a) || !large_enough(shared.pairs[i].b)) continue;
@@ -104,12 +105,11 @@ LearningScene SharedFeatures::perceive(const Frame& frame, const cv::Mat_<std::u
 
 LearningScene SharedFeatures::scene_for(const Variant& variant, const LearningScene& shared) const {
   LearningScene scene = shared;
-  const std::vector<Surface>& surfaces = shared.percept.surfaces.surfaces;
   const Config& config = variant.config;
   scene.percept.structural =
-      select(shared.percept.structural, surfaces, structural_, config.structural, variant.structural_values);
-  scene.percept.assembly = config.with_assembly ? select(shared.percept.assembly, surfaces, assembly_, *config.assembly,
-                                                         variant.assembly_values)
+      select(shared.percept.structural, shared.percept, structural_, config.structural, variant.structural_values);
+  scene.percept.assembly = config.with_assembly ? select(shared.percept.assembly, shared.percept, assembly_,
+                                                         *config.assembly, variant.assembly_values)
                                                 : RelationTable{};
   return scene;
 }

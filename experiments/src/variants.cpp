@@ -115,8 +115,10 @@ std::vector<OverrideSet> grid(const std::vector<std::string>& axes) {
       for (const std::string& value : split(axis.substr(equals + 1), ',')) {
         if (value.empty()) throw ConfigError("--grid " + axis + ": has an empty value; write path=value,value,...");
         OverrideSet next = set;
-        next.name += (set.name.empty() ? "" : " ") + path + "=" + value;
-        next.overrides.push_back(path + "=" + value);
+        std::string assignment = path;
+        assignment.append("=").append(value);
+        next.name.append(set.name.empty() ? "" : " ").append(assignment);
+        next.overrides.push_back(assignment);
         longer.push_back(std::move(next));
       }
     sets = std::move(longer);

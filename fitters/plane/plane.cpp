@@ -45,17 +45,21 @@ class PlaneModel final : public SurfaceModel {
     const float d = signed_distance(p);
     return d * d;
   }
+  std::optional<Eigen::Vector2d> parameters(const Eigen::Vector3f& p) const override {
+    const Eigen::Vector3d d = p.cast<double>() - moments_.mean();
+    return Eigen::Vector2d(d.dot(across()), d.dot(down()));
+  }
   nlohmann::json to_json() const override {
-    const double variance = normal_.cast<double>().dot(moments_.covariance() * normal_.cast<double>());
-    const Eigen::Vector3d centre = moments_.mean();
-    return {{"type", "plane"},
-            {"normal", {normal_.x(), normal_.y(), normal_.z()}},
-            {"offset", offset_},
-            {"centre", {centre.x(), centre.y(), centre.z()}},
-            {"rms", std::sqrt(std::max(variance, 0.0))}};
+    const auto list = [](const Eigen::Vector3d& v) { return nlohmann::json{float(v.x()), float(v.y()), float(v.z())}; };
+    return {{"type", "plane"},          {"normal", list(normal_.cast<double>())},
+            {"offset", offset_},        {"centre", list(moments_.mean())},
+            {"across", list(across())}, {"down", list(down())}};
   }
 
  private:
+  // Axes of the parameters: metres from the centre.
+  Eigen::Vector3d across() const { return normal_.cast<double>().unitOrthogonal(); }
+  Eigen::Vector3d down() const { return normal_.cast<double>().cross(across()).normalized(); }
   float signed_distance(const Eigen::Vector3f& p) const { return normal_.dot(p) + offset_; }
 
   Moments moments_;

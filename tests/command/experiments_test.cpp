@@ -98,7 +98,8 @@ TEST_F(Ablation, IsEqualForAnyNumberOfThreads) {
 
 TEST_F(Ablation, AKilledRunIsTakenUp) {
   // Variants of different surfaces: much is left to do when the first is finished.
-  const Texts variants{"--grid", "primitive.model_selection.sigma=0.002,0.004,0.005,0.006,0.007", "--threads", "1"};
+  const Texts variants{"--grid", "primitive.model_selection.kappa_1=0.0011,0.0012,0.0013,0.0014,0.0015", "--threads",
+                       "1"};
   const Outcome undisturbed = ablate(variants, "undisturbed");
   expect_success(undisturbed);
   std::vector<fs::path> results;

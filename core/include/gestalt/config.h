@@ -27,7 +27,8 @@ struct ComponentConfig {
 struct LevelConfig {
   std::vector<ComponentConfig> relations;  ///< not empty
   ComponentConfig classifier;
-  int minimum_size = 0;  ///< pixels; smaller patches have no relations at this level
+  int minimum_size = 0;  ///< pixels of a Kinect (pixel_density()); smaller patches have no relations at this level
+  int negatives = 0;     ///< largest number of negative pairs that learning takes of one scene
 };
 
 /// A resolved, validated config.

@@ -36,8 +36,9 @@ struct FigureGroundParams {
 /// its
 ///   hull, less those behind it;
 /// * walls, floors: planes of relative_area with nothing behind them;
-/// * tables in front of the ground that things touch and stand on: of relative_area, or of smallest_support when no
-///   chain of touching surfaces leads to another support (the top of a box is led to the ground by the box's sides).
+/// * tables in front of the ground that things touch and stand on: of relative_area; or, when no chain of touching
+///   surfaces leads to another support (the top of a box is led to the ground by the box's sides), of smallest_support
+///   over the ground's hull and of largest_remainder of the frame's points outside it.
 /// All surfaces in a support's plane belong to it, so that a table stays one when objects divide it.
 /// A plane that has something behind it and nothing in front is no support, so that in a frame full of one object
 /// everything is object; a frame full of one plane is background. Without any surface the result is empty.

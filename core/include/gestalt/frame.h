@@ -21,6 +21,10 @@ struct Camera {
   double cy = 0;
 };
 
+/// Pixels of this camera in the solid angle of one pixel at a focal length of 525 px, that of a Kinect at 640x480.
+/// Pixel counts in parameters are those of such a camera: multiply with this.
+inline double pixel_density(const Camera& camera) { return camera.fx * camera.fy / (525.0 * 525.0); }
+
 /// One organized RGB-D frame, immutable once made by make_frame(). All images have the camera's size.
 struct Frame {
   std::string name;

@@ -37,6 +37,7 @@ struct Percept {
   std::vector<Role> roles;   ///< of each surface
   RelationTable structural;  ///< 3D neighbours
   RelationTable assembly;    ///< all other pairs; empty without the assembly level
+  double pixel_density = 1;  ///< of the frame's camera: by what the levels' minimum sizes were multiplied
   LevelTimes times;
 };
 
@@ -53,6 +54,9 @@ class GESTALT_EXPORT Pipeline {
   Pipeline(Config config, const Registry& registry);
 
   const Config& config() const { return config_; }
+
+  /// The sensor's, which perceive() takes frames to have.
+  const DepthNoise& noise() const { return noise_; }
 
   /// What a model of a level must be like. Throws ConfigError when the config does without the level.
   ExpectedModel expected_model(Level level) const;

@@ -37,11 +37,11 @@ struct NamedRelation {
 GESTALT_EXPORT std::vector<std::string> value_names(const std::vector<NamedRelation>& relations);
 
 /// Structural level: the pairs of 3D neighbours of which both have at least minimum_size pixels, sorted by (a, b).
-GESTALT_EXPORT std::vector<SurfacePair> neighbour_pairs(const SurfaceSet& surfaces, int minimum_size);
+GESTALT_EXPORT std::vector<SurfacePair> neighbour_pairs(const SurfaceSet& surfaces, double minimum_size);
 
 /// Assembly level: all other pairs of surfaces of which both have at least minimum_size pixels, sorted by (a, b). Their
 /// border is null unless they touch in the image.
-GESTALT_EXPORT std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, int minimum_size);
+GESTALT_EXPORT std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, double minimum_size);
 
 /// Relations bound to one scene, each once for whatever level asks for it.
 class GESTALT_EXPORT Measures {

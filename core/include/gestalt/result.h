@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gestalt/input.h"
+#include "gestalt/output_file.h"
 #include "gestalt/pipeline.h"
 #include "gestalt/scene.h"
 
@@ -19,6 +20,9 @@ namespace gestalt {
 /// ConfigTree::to_json(). Pairs and patches count from 0, segments have their labels.
 GESTALT_EXPORT nlohmann::json result_json(const Input& input, const Percept& percept, const Segmentation& segmentation,
                                           const LevelTimes& times, const nlohmann::json& config);
+
+/// The colour of a segment or patch in pictures and meshes, blue green red, by its number.
+GESTALT_EXPORT cv::Vec3b segment_colour(int label);
 
 /// CV_8UC3: the objects tinted over the colour image (over shaded depth when there is none), background untinted,
 /// with the outlines of all segments.
@@ -34,9 +38,9 @@ GESTALT_EXPORT cv::Mat draw_boundary_lines(const Scene& scene);
 
 /// Writes labels.png, objects.png (the same with background at 0), overlay.png, patches.png and result.json, for
 /// unorganized clouds also labels.pcd (x y z label, the original points in their order; label 0 = in no segment), into
-/// a folder: all of them or, with OutputError, none.
+/// a folder, and the files in more: all of them or, with OutputError, none.
 GESTALT_EXPORT void write_result(const std::filesystem::path& folder, const Input& input, const Percept& percept,
                                  const Segmentation& segmentation, const LevelTimes& times,
-                                 const nlohmann::json& config);
+                                 const nlohmann::json& config, std::vector<OutputFile> more = {});
 
 }  // namespace gestalt

@@ -16,8 +16,8 @@ namespace gestalt {
 /// Settings of the primitive level (paper, Section 4.3, Eq. 3 and 8). Lengths are given in multiples of what the sensor
 /// can tell apart, so that they hold for any camera: its noise, and the footprint z / f of a pixel.
 struct SurfaceModellingParams {
-  double sigma = 1.8;                     ///< p(f_i | H) = exp(-e_i^2 / s^2), s = sigma * noise(z)
-  double kappa_1 = 0.008;                 ///< weight of the number of parameters
+  double sigma = 2.5;                     ///< p(f_i | H) = exp(-e_i^2 / s^2), s = sigma * noise(z)
+  double kappa_1 = 0.0053;                ///< weight of the number of parameters
   double kappa_2 = 1.0;                   ///< weight of the error
   std::string normalisation = "smaller";  ///< A_m of Eq. 3 for a pair: size of the smaller patch, or of the merged one
   double largest_solid_angle = 0.03;      ///< sr; a larger patch is only modelled by the first fitter (walls, table)
