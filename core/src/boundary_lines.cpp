@@ -85,8 +85,8 @@ class LineMaker {
     return Beyond(std::max_element(votes.begin(), votes.end()) - votes.begin());
   }
 
-  /// Walks outwards, over the shadow that the sensor may have there, to the next pixel of something else. The pixel right
-  /// beside the contour is skipped: its depth may be mixed.
+  /// Walks outwards, over the shadow that the sensor may have there, to the next pixel of something else. The pixel
+  /// right beside the contour is skipped: its depth may be mixed.
   Beyond beyond(const BoundaryLine& line, int pixel) const {
     const int width = frame_.width();
     const Eigen::Vector2f start(float(pixel % width), float(pixel / width));

@@ -213,12 +213,11 @@ std::vector<Closure> find_closures(const SurfaceSet& surfaces, const BoundaryLin
     if (closure && known.insert(closure->lines).second) closures.push_back(std::move(*closure));
   tbb::parallel_for(std::size_t{0}, closures.size(), [&](std::size_t i) {
     for (Closure::Part& part : closures[i].parts)
-      part.inside = share_inside(closures[i].outline, surfaces.surfaces[std::size_t(part.surface)].pixels,
-                                 surfaces.labels.cols);
+      part.inside =
+          share_inside(closures[i].outline, surfaces.surfaces[std::size_t(part.surface)].pixels, surfaces.labels.cols);
   });
-  std::sort(closures.begin(), closures.end(), [](const Closure& x, const Closure& y) {
-    return std::tie(x.cost, x.lines) < std::tie(y.cost, y.lines);
-  });
+  std::sort(closures.begin(), closures.end(),
+            [](const Closure& x, const Closure& y) { return std::tie(x.cost, x.lines) < std::tie(y.cost, y.lines); });
   return closures;
 }
 

@@ -16,11 +16,11 @@ namespace gestalt {
 namespace {
 
 constexpr float pi = std::numbers::pi_v<float>;
-constexpr float collinear_angle = pi / 6;    ///< larger angles are junctions
-constexpr float search_along = 8;            ///< reach of the search lines for collinearities, line lengths
-constexpr float search_corner = 1;           ///< and for junctions
-constexpr std::size_t links_within = 4;      ///< kept from a line to lines of its own surface
-constexpr std::size_t links_to_others = 8;   ///< and to lines of others
+constexpr float collinear_angle = pi / 6;   ///< larger angles are junctions
+constexpr float search_along = 8;           ///< reach of the search lines for collinearities, line lengths
+constexpr float search_corner = 1;          ///< and for junctions
+constexpr std::size_t links_within = 4;     ///< kept from a line to lines of its own surface
+constexpr std::size_t links_to_others = 8;  ///< and to lines of others
 
 float cross(const Eigen::Vector2f& x, const Eigen::Vector2f& y) { return x.x() * y.y() - x.y() * y.x(); }
 
@@ -59,8 +59,8 @@ class Linker {
     const float gap_3d = longest_gap(x, y, length);
     // Chance that a line's end lies in the two triangles that the gap and both angles open.
     const float smallest = 0.02f;
-    const float cost = 1 - std::exp(-2 * density_ * gap_3d * gap_3d * std::max(alpha, smallest) *
-                                    std::max(beta, smallest) / pi);
+    const float cost =
+        1 - std::exp(-2 * density_ * gap_3d * gap_3d * std::max(alpha, smallest) * std::max(beta, smallest) / pi);
     return LineLink{from, to, turn, gap_3d, cost, 0.5f * (x.ends[1] + y.ends[0])};
   }
 

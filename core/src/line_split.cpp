@@ -56,8 +56,8 @@ std::size_t farthest(const Chain& chain, std::size_t from) {
   return best;
 }
 
-/// Appends the break points of the piece from first to last (both inclusive, last may run past the chain's end), without
-/// its last.
+/// Appends the break points of the piece from first to last (both inclusive, last may run past the chain's end),
+/// without its last.
 void split(const Chain& chain, std::size_t first, std::size_t last, float tolerance, std::vector<std::size_t>& breaks) {
   std::vector<std::pair<std::size_t, std::size_t>> open{{first, last}};
   while (!open.empty()) {

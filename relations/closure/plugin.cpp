@@ -6,4 +6,5 @@
 #include "closure.h"
 
 GESTALT_PLUGIN(gestalt::component<gestalt::ClosureRelation>(
-    "closure", "1.0.0", "r_ls, r_as, r_lg: line support, area support and gaps of closed contours through both patches"))
+    "closure", "1.0.0",
+    "r_ls, r_as, r_lg: line support, area support and gaps of closed contours through both patches"))

@@ -25,11 +25,12 @@ enum class Beyond {
 /// to the second end with the image upright, so an outer contour runs counter-clockwise.
 struct BoundaryLine {
   int surface;
-  std::array<Eigen::Vector2f, 2> ends;    ///< px, on the line fitted to the contour pixels
-  std::array<Eigen::Vector3f, 2> points;  ///< m, camera frame, on the line fitted to these pixels' points on the surface
-  Eigen::Vector2f direction;              ///< unit, in the image, from the first to the second end
-  float length;                           ///< px, between the ends
-  int support;                            ///< contour pixels that it was fitted to, >= 2
+  std::array<Eigen::Vector2f, 2> ends;  ///< px, on the line fitted to the contour pixels
+  std::array<Eigen::Vector3f, 2>
+      points;                 ///< m, camera frame, on the line fitted to these pixels' points on the surface
+  Eigen::Vector2f direction;  ///< unit, in the image, from the first to the second end
+  float length;               ///< px, between the ends
+  int support;                ///< contour pixels that it was fitted to, >= 2
   Beyond beyond;
 
   /// The surface itself ends here, as far as can be seen.
@@ -41,9 +42,9 @@ struct BoundaryLine {
 struct LineLink {
   int from;
   int to;
-  float turn;   ///< rad, in (-pi, pi]; > 0 to the left, as around a convex surface
-  float gap;    ///< px, from end to end: in the image, or in 3D at the focal length and depth where that is longer
-  float cost;   ///< in [0, 1): how likely such a link is by chance, among so many lines in so large an image
+  float turn;  ///< rad, in (-pi, pi]; > 0 to the left, as around a convex surface
+  float gap;   ///< px, from end to end: in the image, or in 3D at the focal length and depth where that is longer
+  float cost;  ///< in [0, 1): how likely such a link is by chance, among so many lines in so large an image
   Eigen::Vector2f meeting;  ///< px; a junction's corner, a collinearity's middle
 };
 
