@@ -20,8 +20,17 @@ struct Options {
   std::vector<std::filesystem::path> inputs;
   std::filesystem::path output = "out";
   std::filesystem::path camera;
+  bool debug_images = false;
   PipelineOptions pipeline;
 };
+
+/// Pictures of what the levels below the segments found, by file name.
+std::vector<OutputFile> debug_images(const std::filesystem::path& folder, const Pipeline& pipeline, Frame frame,
+                                     const Percept& percept) {
+  frame.noise = pipeline.noise();
+  const Scene scene(frame, percept.patches, percept.surfaces);
+  return {{folder / "lines.png", encode_png(draw_boundary_lines(scene))}};
+}
 
 int segment(const Options& options) {
   const ThreadLimit limit(options.pipeline.threads);
@@ -39,7 +48,9 @@ int segment(const Options& options) {
     LevelTimes times = percept.times;
     const Segmentation segmentation = pipeline.decide(percept, models, &times);
     const std::filesystem::path folder = options.output / input.frame.name;
-    write_result(folder, input, percept, segmentation, times, config);
+    std::vector<OutputFile> pictures;
+    if (options.debug_images) pictures = debug_images(folder, pipeline, input.frame, percept);
+    write_result(folder, input, percept, segmentation, times, config, std::move(pictures));
     std::ostringstream line;
     line << folder.string() << ": " << segmentation.segments.size() << " segments of "
          << percept.surfaces.surfaces.size() << " patches, " << std::fixed << std::setprecision(0) << times.total()
@@ -62,6 +73,8 @@ void add_segment(CLI::App& app, Run& run) {
       ->type_name("DIR");
   command->add_option("--camera", options->camera, "Intrinsics to use instead of the scene's camera.yaml")
       ->type_name("FILE");
+  command->add_flag("--debug-images", options->debug_images,
+                    "Write lines.png too: boundary lines, their junctions, collinearities and closures");
   add_pipeline_options(*command, options->pipeline);
   command->footer("Example: gestalt segment examples/demo_scene --output out");
   command->callback([options, &run] { run = [options] { return segment(*options); }; });

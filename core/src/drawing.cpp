@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "drawing.h"
+
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
@@ -20,9 +22,6 @@ cv::Vec3b segment_colour(int label) {
   return {channel(1), channel(3), channel(5)};
 }
 
-namespace {
-
-/// The colour image, or depth as grey from near (bright) to far.
 cv::Mat backdrop(const Frame& frame) {
   if (frame.has_colour()) return frame.colour;
   double nearest, farthest;
@@ -34,8 +33,6 @@ cv::Mat backdrop(const Frame& frame) {
   cv::cvtColor(grey, picture, cv::COLOR_GRAY2BGR);
   return picture;
 }
-
-}  // namespace
 
 cv::Mat draw_segments(const Frame& frame, const Segmentation& segmentation) {
   const cv::Mat_<std::uint16_t>& labels = segmentation.labels;

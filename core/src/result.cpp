@@ -9,6 +9,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
@@ -138,7 +139,8 @@ Json result_json(const Input& input, const Percept& percept, const Segmentation&
 }
 
 void write_result(const std::filesystem::path& folder, const Input& input, const Percept& percept,
-                  const Segmentation& segmentation, const LevelTimes& times, const Json& config) {
+                  const Segmentation& segmentation, const LevelTimes& times, const Json& config,
+                  std::vector<OutputFile> more) {
   std::vector<OutputFile> files{{folder / "labels.png", encode_png(segmentation.labels)},
                                 {folder / "objects.png", encode_png(object_labels(segmentation))},
                                 {folder / "overlay.png", encode_png(draw_segments(input.frame, segmentation))},
@@ -149,6 +151,7 @@ void write_result(const std::filesystem::path& folder, const Input& input, const
       {folder / "result.json",
        result_json(input, percept, segmentation, times, config).dump(1, ' ', false, Json::error_handler_t::replace) +
            "\n"});
+  std::move(more.begin(), more.end(), std::back_inserter(files));
   write_files(files);
 }
 

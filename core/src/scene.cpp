@@ -38,6 +38,16 @@ const std::vector<std::vector<Contour>>& Scene::contours() const {
   return contours_;
 }
 
+const BoundaryLines& Scene::boundary_lines() const {
+  std::call_once(lines_once_, [this] { lines_ = find_boundary_lines(frame_, surfaces_, contours()); });
+  return lines_;
+}
+
+const std::vector<Closure>& Scene::closures() const {
+  std::call_once(closures_once_, [this] { closures_ = find_closures(surfaces_, boundary_lines()); });
+  return closures_;
+}
+
 const std::vector<Outline>& Scene::outlines() const {
   std::call_once(outlines_once_, [this] { outlines_ = find_outlines(frame_, surfaces_, contours()); });
   return outlines_;

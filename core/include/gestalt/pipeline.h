@@ -55,6 +55,9 @@ class GESTALT_EXPORT Pipeline {
 
   const Config& config() const { return config_; }
 
+  /// The sensor's, which perceive() takes frames to have.
+  const DepthNoise& noise() const { return noise_; }
+
   /// What a model of a level must be like. Throws ConfigError when the config does without the level.
   ExpectedModel expected_model(Level level) const;
 

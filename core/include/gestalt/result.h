@@ -9,7 +9,9 @@
 #include <vector>
 
 #include "gestalt/input.h"
+#include "gestalt/output_file.h"
 #include "gestalt/pipeline.h"
+#include "gestalt/scene.h"
 
 namespace gestalt {
 
@@ -29,11 +31,16 @@ GESTALT_EXPORT cv::Mat draw_segments(const Frame& frame, const Segmentation& seg
 /// CV_8UC3: every patch after surface merging in a colour of its own, black where there is none.
 GESTALT_EXPORT cv::Mat draw_patches(const cv::Mat_<int>& labels);
 
+/// CV_8UC3, twice the frame's size: the twelve cheapest closures (tinted), boundary lines (green where a surface ends
+/// before something farther or nothing, blue where it meets what is as near, grey where something else ends it), and
+/// between different surfaces collinearities (violet) and L-junctions (orange); T-junctions (red crosses).
+GESTALT_EXPORT cv::Mat draw_boundary_lines(const Scene& scene);
+
 /// Writes labels.png, objects.png (the same with background at 0), overlay.png, patches.png and result.json, for
 /// unorganized clouds also labels.pcd (x y z label, the original points in their order; label 0 = in no segment), into
-/// a folder: all of them or, with OutputError, none.
+/// a folder, and the files in more: all of them or, with OutputError, none.
 GESTALT_EXPORT void write_result(const std::filesystem::path& folder, const Input& input, const Percept& percept,
                                  const Segmentation& segmentation, const LevelTimes& times,
-                                 const nlohmann::json& config);
+                                 const nlohmann::json& config, std::vector<OutputFile> more = {});
 
 }  // namespace gestalt

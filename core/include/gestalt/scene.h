@@ -5,6 +5,8 @@
 #include <mutex>
 #include <opencv2/core.hpp>
 
+#include "gestalt/boundary_lines.h"
+#include "gestalt/closure.h"
 #include "gestalt/contour.h"
 #include "gestalt/frame.h"
 #include "gestalt/outline.h"
@@ -35,6 +37,12 @@ class GESTALT_EXPORT Scene {
   /// The contours of every surface, by its index.
   const std::vector<std::vector<Contour>>& contours() const;
 
+  /// The straight boundaries of the surfaces and how they go on in each other.
+  const BoundaryLines& boundary_lines() const;
+
+  /// Closed convex contours over those lines, cheapest first.
+  const std::vector<Closure>& closures() const;
+
   /// Points on the contours of every surface, by its index.
   const std::vector<Outline>& outlines() const;
 
@@ -42,10 +50,12 @@ class GESTALT_EXPORT Scene {
   const Frame& frame_;
   const PatchMap& patches_;
   const SurfaceSet& surfaces_;
-  mutable std::once_flag grey_once_, yuv_once_, contours_once_, outlines_once_;
+  mutable std::once_flag grey_once_, yuv_once_, contours_once_, outlines_once_, lines_once_, closures_once_;
   mutable cv::Mat grey_, yuv_;
   mutable std::vector<std::vector<Contour>> contours_;
   mutable std::vector<Outline> outlines_;
+  mutable BoundaryLines lines_;
+  mutable std::vector<Closure> closures_;
 };
 
 }  // namespace gestalt
