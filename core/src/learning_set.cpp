@@ -114,7 +114,9 @@ Model learn_level(const Pipeline& pipeline, Level level, const std::vector<const
     return train_model(expected.classifier, expected.classifier_name, expected.names, samples, std::move(training),
                        config_hash(pipeline.config(), level));
   } catch (const ModelError& error) {
-    throw ModelError(std::string(name_of(level)) + " level: " + error.what());
+    throw ModelError(
+        std::string(name_of(level)) + " level: " + error.what() +
+        (level == Level::assembly ? ", with objects in parts that do not touch, or set levels=structural" : ""));
   }
 }
 

@@ -238,7 +238,7 @@ TEST_F(ConfigTest, OverridesSetValuesInOrder) {
                       "structural.relations.border.params.sigma=2.5", "structural.minimum_size=50",
                       "structural.minimum_size=60", "signal.clusterer=grid", "signal.clusterer.params.bins=3",
                       "structural.classifier={plugin: tree, params: {norm: l1}}", "primitive.fitters=[round]",
-                      "primitive.model_selection.sigma=0.004"});
+                      "primitive.model_selection.sigma=2.75"});
   EXPECT_EQ(names(config.structural.relations), (Names{"colour", "border"}));
   EXPECT_EQ(real(config.structural.relations[1], "sigma"), 2.5);
   EXPECT_EQ(config.structural.minimum_size, 60);
@@ -247,7 +247,7 @@ TEST_F(ConfigTest, OverridesSetValuesInOrder) {
   EXPECT_EQ(config.structural.classifier.plugin, "tree");
   EXPECT_EQ(std::get<std::string>(config.structural.classifier.params.at("norm")), "l1");
   EXPECT_EQ(names(config.fitters), (Names{"flat", "round"}));
-  EXPECT_EQ(std::get<double>(config.surface_modelling.at("sigma")), 0.004);
+  EXPECT_EQ(std::get<double>(config.surface_modelling.at("sigma")), 2.75);
 }
 
 TEST_F(ConfigTest, WrongOverridesAreNamedWithTheClosestWord) {
@@ -565,7 +565,7 @@ TEST_F(ConfigTest, TheHashChangesWithWhatChangesRelationValues) {
   EXPECT_EQ(base.size(), 16u);
   EXPECT_EQ(base.find_first_not_of("0123456789abcdef"), std::string::npos);
   for (const char* other : {"signal.clusterer=grid", "signal.clusterer.params.bins=5", "primitive.fitters.round=on",
-                            "primitive.fitters.flat.params.bins=5", "primitive.model_selection.sigma=0.004",
+                            "primitive.fitters.flat.params.bins=5", "primitive.model_selection.sigma=2.75",
                             "structural.relations.border=on", "structural.relations.colour=off",
                             "structural.relations.colour.params.bins=5", "structural.minimum_size=31"})
     EXPECT_NE(hash({other}), base) << other;

@@ -138,7 +138,7 @@ TEST_F(BadInput, OneValidPixelIsSegmented) {
   depth(20, 30) = 900;
   write_image(scene / "depth.png", depth);
   expect_success(segment(scene));
-  EXPECT_EQ(files_below(out / "scene").size(), 4u);
+  EXPECT_EQ(files_below(out / "scene").size(), 5u);
 }
 
 TEST_F(BadInput, OnePixelIsSegmented) {

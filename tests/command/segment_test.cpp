@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 using nlohmann::json;
 
-const std::vector<std::string> result_files{"labels.png", "overlay.png", "patches.png", "result.json"};
+const std::vector<std::string> result_files{"labels.png", "objects.png", "overlay.png", "patches.png", "result.json"};
 
 cv::Mat image(const fs::path& file) { return cv::imread(file, cv::IMREAD_UNCHANGED); }
 
@@ -98,7 +98,10 @@ TEST_F(Segment, SegmentsAreMadeOfThePatchesAndPairsOfTheResult) {
 
   const std::set<std::string> names{"r_co",  "r_rs",  "r_tr",  "r_ga",  "r_fo",
                                     "r_co3", "r_cu3", "r_cv3", "r_di2", "r_vd2"};
+  const std::set<std::string> assembly_names{"r_co", "r_md", "r_nm", "r_nv", "r_ex", "r_go", "r_gl", "r_hb",
+                                             "r_ho", "r_hn", "r_hh", "r_th", "r_cc", "r_cd", "r_sp"};
   ASSERT_FALSE(pairs.empty());
+  std::set<std::string> levels;
   for (const json& pair : pairs) {
     EXPECT_LT(pair.at("a"), pair.at("b"));
     EXPECT_LT(pair.at("b"), patches.size());
@@ -109,8 +112,10 @@ TEST_F(Segment, SegmentsAreMadeOfThePatchesAndPairsOfTheResult) {
       EXPECT_TRUE(value.is_number()) << name;
       found.insert(name);
     }
-    EXPECT_EQ(found, names);
+    levels.insert(pair.at("level"));
+    EXPECT_EQ(found, pair.at("level") == "structural" ? names : assembly_names);
   }
+  EXPECT_EQ(levels, (std::set<std::string>{"structural", "assembly"}));
 }
 
 TEST_F(Segment, WarnsOfAModelTrainedWithOtherParameters) {
@@ -132,7 +137,7 @@ TEST_F(Segment, TheResultTellsHowItWasMade) {
                                        {"cx", camera.cx},
                                        {"cy", camera.cy}}));
   double sum = 0;
-  for (const char* level : {"signal", "primitive", "structural", "decision"}) {
+  for (const char* level : {"signal", "primitive", "structural", "assembly", "decision"}) {
     EXPECT_GE(result.at("milliseconds").at(level), 0.0);
     sum += result.at("milliseconds").at(level).get<double>();
   }
@@ -300,8 +305,9 @@ TEST_F(Segment, TheOutputMayBeTheFolderOfTheScenes) {
   const std::string truth = content(out / "scene" / "label.png");
   expect_success(segment({out}));
   expect_success(segment({out}));
-  EXPECT_EQ(files_below(out / "scene"), (std::vector<std::string>{"depth.png", "label.png", "labels.png", "overlay.png",
-                                                                  "patches.png", "result.json", "rgb.png"}));
+  EXPECT_EQ(files_below(out / "scene"),
+            (std::vector<std::string>{"depth.png", "label.png", "labels.png", "objects.png", "overlay.png",
+                                      "patches.png", "result.json", "rgb.png"}));
   EXPECT_EQ(content(out / "scene" / "label.png"), truth);
 }
 
