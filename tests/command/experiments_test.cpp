@@ -232,8 +232,9 @@ TEST_F(Reproduction, OfLearnAndTestSetWithBothLevels) {
 }
 
 TEST_F(Reproduction, WithoutCategoriesCountsAll) {
-  const fs::path set = make_set("learn", "1");
-  fs::remove(set.string() + ".csv");
+  fs::create_directories(folder.path() / "data");
+  fs::copy(synthetic_scenes(), folder.path() / "data" / "learn",
+           fs::copy_options::recursive);  // without the csv beside
   const Outcome outcome =
       reproduce(folder.path() / "data", {"--cross-validate", "2", "--set", "levels=structural", "--json"});
   expect_success(outcome);
