@@ -14,6 +14,8 @@
 #include <set>
 #include <tuple>
 
+#include "line_links.h"
+
 namespace gestalt {
 
 namespace {
@@ -21,6 +23,7 @@ namespace {
 constexpr std::size_t most_seeds = 256;
 constexpr int most_visited = 256;
 constexpr int most_lines = 24;
+constexpr float most_gap = 2;        ///< gaps to lines
 constexpr float right_turn = 0.17f;  ///< rad; contours of real surfaces waver
 constexpr float link_cost = 1e-3f;   ///< of each link, so that of two equal ways the one of fewer lines is taken
 constexpr float two_pi = 2 * std::numbers::pi_v<float>;
@@ -30,7 +33,8 @@ float cross(const Eigen::Vector2f& x, const Eigen::Vector2f& y) { return x.x() *
 /// The links as a graph: those from each line, of both kinds.
 class LinkGraph {
  public:
-  explicit LinkGraph(const BoundaryLines& all) : lines(all.lines), links_(all.lines.size()) {
+  LinkGraph(const Frame& frame, const BoundaryLines& all)
+      : lines(all.lines), slack(3 * std::max(0.5f, pixel_scale(frame.camera))), links_(all.lines.size()) {
     for (const auto* kind : {&all.collinearities, &all.junctions})
       for (const LineLink& link : *kind)
         if (link.turn > -right_turn) links_[std::size_t(link.from)].push_back(&link);
@@ -55,6 +59,7 @@ class LinkGraph {
   const BoundaryLine& line(int i) const { return lines[std::size_t(i)]; }
 
   const std::vector<BoundaryLine>& lines;
+  const float slack;  ///< px; uncertainty of a line's end
 
  private:
   std::vector<std::vector<const LineLink*>> links_;
@@ -108,7 +113,8 @@ class ClosureSearch {
       if (i == s) continue;
       const BoundaryLine &own = graph_.line(s), &line = graph_.line(i);
       for (const Eigen::Vector2f& end : line.ends)
-        if (cross(own.direction, end - own.ends[0]) > right_turn * (end - own.ends[0]).norm()) return false;
+        if (cross(own.direction, end - own.ends[0]) > right_turn * (end - own.ends[0]).norm() + graph_.slack)
+          return false;
     }
     return true;
   }
@@ -151,7 +157,7 @@ bool crosses_itself(const std::vector<Eigen::Vector2f>& polygon) {
 }
 
 /// The contour along these lines, from the one in front; none when it is not a closed convex contour of two surfaces
-/// with more line than gap.
+/// with enough line for its gaps.
 std::optional<Closure> contour_along(std::vector<int> way, const LinkGraph& graph) {
   // The same contour has the same first line, whichever link it was found from.
   std::rotate(way.begin(), std::min_element(way.begin(), way.end()), way.end());
@@ -166,7 +172,7 @@ std::optional<Closure> contour_along(std::vector<int> way, const LinkGraph& grap
     for (const LineLink* link : graph.from(closure.lines[i]))
       if (link->to == next) closure.gap_length += link->gap, closure.cost += link->cost;
   }
-  if (closure.lines.size() < 3 || surfaces.size() < 2 || closure.gap_length > closure.line_length) return {};
+  if (closure.lines.size() < 3 || surfaces.size() < 2 || closure.gap_length > most_gap * closure.line_length) return {};
   if (crosses_itself(closure.outline) || !(signed_area(closure.outline) > 0)) return {};
   for (const int surface : surfaces) closure.parts.push_back({surface, 0, 0});
   for (const int i : closure.lines)
@@ -199,8 +205,8 @@ float share_inside(const std::vector<Eigen::Vector2f>& polygon, const std::vecto
 
 }  // namespace
 
-std::vector<Closure> find_closures(const SurfaceSet& surfaces, const BoundaryLines& lines) {
-  const LinkGraph graph(lines);
+std::vector<Closure> find_closures(const Frame& frame, const SurfaceSet& surfaces, const BoundaryLines& lines) {
+  const LinkGraph graph(frame, lines);
   const std::vector<const LineLink*> seeds = graph.seeds();
   std::vector<std::optional<Closure>> found(seeds.size());
   tbb::parallel_for(std::size_t{0}, seeds.size(), [&](std::size_t i) {

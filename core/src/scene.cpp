@@ -44,7 +44,7 @@ const BoundaryLines& Scene::boundary_lines() const {
 }
 
 const std::vector<Closure>& Scene::closures() const {
-  std::call_once(closures_once_, [this] { closures_ = find_closures(surfaces_, boundary_lines()); });
+  std::call_once(closures_once_, [this] { closures_ = find_closures(frame_, surfaces_, boundary_lines()); });
   return closures_;
 }
 

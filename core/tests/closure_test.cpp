@@ -68,7 +68,7 @@ TEST(Closures, AreOfTwoSurfacesAndConvex) {
                                              {{500, 100, 60, 60}, {0, 0, 1}, facing}})) {
     EXPECT_GE(closure.parts.size(), 2u);
     EXPECT_GT(area(closure), 0);
-    EXPECT_LE(closure.gap_length, closure.line_length);
+    EXPECT_LE(closure.gap_length, 2 * closure.line_length);
     double turned = 0;
     for (std::size_t i = 0; i < closure.outline.size(); i += 2) {
       const Eigen::Vector2f along = closure.outline[i + 1] - closure.outline[i];

@@ -36,7 +36,7 @@ class ClosureMeasure final : public Measure {
           Best& best = best_[{a.surface, b.surface}];
           best.lines = std::max(best.lines, (line_support(a) + line_support(b)) / 2);
           best.area = std::max(best.area, share(scene, a, b));
-          best.gaps = std::min(best.gaps, double(closure.gap_length / closure.line_length));
+          best.gaps = std::min(best.gaps, double(closure.gap_length / (closure.gap_length + closure.line_length)));
         }
   }
 
@@ -76,7 +76,7 @@ const std::vector<RelationValue>& ClosureRelation::values() const {
   static const std::vector<RelationValue> values{
       {"r_ls", 0, 1, "share of the patches' own boundaries in a closed contour, mean of both; 0 without one"},
       {"r_as", 0, 1, "share of the patches' pixels that a closed contour encloses; 0 without one"},
-      {"r_lg", 0, 1, "gaps to lines of a closed contour; 1 without one"}};
+      {"r_lg", 0, 1, "share of gaps in a closed contour; 1 without one"}};
   return values;
 }
 

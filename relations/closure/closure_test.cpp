@@ -30,7 +30,7 @@ TEST(ClosureRelation, OfABarBehindAPoleExplainsItAll) {
   EXPECT_NEAR(lines, 1, 0.03) << "the sides at the pole are the pole's";
   EXPECT_GT(area, 0.97);
   // Two gaps of 41 px, and on either side two lines of 199 px and one of 79.
-  EXPECT_NEAR(gaps, 82.0 / (2 * (199 + 199 + 79)), 0.003);
+  EXPECT_NEAR(gaps, 82.0 / (82 + 2 * (199 + 199 + 79)), 0.003);
 }
 
 TEST(ClosureRelation, CountsTheBoundaryThatItLeavesOut) {
@@ -51,7 +51,7 @@ TEST(ClosureRelation, WithoutOneHasFixedValues) {
 }
 
 TEST(ClosureRelation, OfThingsFarApartIsNone) {
-  // The gaps between the two would be longer than the lines.
+  // The gaps between the two would be longer than twice the lines.
   const auto [lines, area, gaps] =
       closure(test::render({{{20, 20, 40, 40}, {0, 0, 1}, facing}, {{560, 20, 40, 40}, {0, 0, 1}, facing}}));
   EXPECT_EQ(lines, 0);

@@ -23,7 +23,7 @@ struct Closure {
   std::vector<int> lines;                ///< indices into BoundaryLines::lines, in order, the surfaces on the left
   std::vector<Eigen::Vector2f> outline;  ///< px; the ends of these lines: a polygon
   float line_length;                     ///< px, sum over the lines
-  float gap_length;                      ///< px, sum over the gaps between them, at most line_length
+  float gap_length;                      ///< px, sum over the links' gaps, at most twice line_length
   float cost;                            ///< sum of the links' costs, see LineLink
   std::vector<Part> parts;               ///< ascending surfaces with a line in the closure; two or more
 };
@@ -31,6 +31,7 @@ struct Closure {
 /// For each of the 256 cheapest links between lines of two surfaces, the cheapest closure through it (Dijkstra over the
 /// links; at most 256 lines are visited, and a closure has at most 24). Each closure is given once, cheapest first.
 /// Deterministic for any number of threads.
-GESTALT_EXPORT std::vector<Closure> find_closures(const SurfaceSet& surfaces, const BoundaryLines& lines);
+GESTALT_EXPORT std::vector<Closure> find_closures(const Frame& frame, const SurfaceSet& surfaces,
+                                                  const BoundaryLines& lines);
 
 }  // namespace gestalt
