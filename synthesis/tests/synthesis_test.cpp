@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gestalt/scene_folder.h"
 #include "gestalt/synthesis.h"
+#include "gestalt/scene_folder.h"
 
 #include <gtest/gtest.h>
 
