@@ -35,8 +35,7 @@ class LineMaker {
   void append(int surface, const Contour& contour, std::vector<BoundaryLine>& lines) const {
     std::vector<Eigen::Vector2f> chain;
     chain.reserve(contour.pixels.size());
-    for (const int pixel : contour.pixels)
-      chain.emplace_back(float(pixel % frame_.width()), float(pixel / frame_.width()));
+    for (const int pixel : contour.pixels) chain.push_back(position(pixel));
     for (const ChainLine& piece : split_into_lines(chain, scale_.tolerance())) {
       const Eigen::Vector2f along = piece.ends[1] - piece.ends[0];
       const float length = along.norm();
@@ -49,6 +48,11 @@ class LineMaker {
   }
 
  private:
+  Eigen::Vector2f position(int pixel) const {
+    const int u = pixel % frame_.width(), v = pixel / frame_.width();
+    return {float(u), float(v)};
+  }
+
   /// count numbers evenly over a piece, as pixels of the contour.
   template <class Visit>
   static void sample(const Contour& contour, const ChainLine& piece, std::size_t count, const Visit& visit) {
@@ -88,13 +92,13 @@ class LineMaker {
   /// Walks outwards, over the shadow that the sensor may have there, to the next pixel of something else. The pixel
   /// right beside the contour is skipped: its depth may be mixed.
   Beyond beyond(const BoundaryLine& line, int pixel) const {
-    const int width = frame_.width();
-    const Eigen::Vector2f start(float(pixel % width), float(pixel / width));
+    const Eigen::Vector2f start = position(pixel);
     const Eigen::Vector2f outwards(-line.direction.y(), line.direction.x());
     for (int step = 2; step <= scale_.reach(); ++step) {
       const Eigen::Vector2f at = start + outwards * float(step);
       const int u = int(std::lround(at.x())), v = int(std::lround(at.y()));
-      if (u < 0 || v < 0 || u >= width || v >= frame_.height()) return step <= 3 ? Beyond::image_edge : Beyond::nothing;
+      if (u < 0 || v < 0 || u >= frame_.width() || v >= frame_.height())
+        return step <= 3 ? Beyond::image_edge : Beyond::nothing;
       const float z = frame_.depth(v, u);
       if (z <= 0 || surfaces_.labels(v, u) == line.surface + 1) continue;
       const float here = frame_.depth.ptr<float>()[pixel];

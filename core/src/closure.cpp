@@ -198,7 +198,8 @@ float share_inside(const std::vector<Eigen::Vector2f>& polygon, const std::vecto
   std::size_t inside = 0;
   for (std::size_t i = 0; i < n; ++i) {
     const int pixel = pixels[i * pixels.size() / n];
-    inside += encloses(polygon, {float(pixel % width), float(pixel / width)}) ? 1 : 0;
+    const int u = pixel % width, v = pixel / width;
+    inside += encloses(polygon, {float(u), float(v)}) ? 1 : 0;
   }
   return float(inside) / float(n);
 }

@@ -23,6 +23,17 @@ cv::Scalar line_colour(const BoundaryLine& line) {
   return line.beyond == Beyond::level ? cv::Scalar(255, 200, 60) : cv::Scalar(60, 230, 60);
 }
 
+/// Where much is found by chance, a picture of all of it shows nothing.
+std::vector<LineLink> surest_between_surfaces(std::vector<LineLink> links, const std::vector<BoundaryLine>& lines) {
+  constexpr std::size_t shown = 80;
+  std::erase_if(links, [&](const LineLink& link) {
+    return lines[std::size_t(link.from)].surface == lines[std::size_t(link.to)].surface;
+  });
+  std::stable_sort(links.begin(), links.end(), [](const LineLink& x, const LineLink& y) { return x.cost < y.cost; });
+  links.resize(std::min(links.size(), shown));
+  return links;
+}
+
 /// Closures lie over each other: the cheapest are drawn last, and only as many as can be told apart.
 void draw_closures(cv::Mat& picture, const std::vector<Closure>& closures) {
   constexpr std::size_t shown = 12;
@@ -49,15 +60,11 @@ cv::Mat draw_boundary_lines(const Scene& scene) {
   for (const BoundaryLine& line : all.lines)
     cv::line(picture, at(line.ends[0]), at(line.ends[1]), line_colour(line), 1, cv::LINE_AA);
 
-  const auto between_surfaces = [&](const LineLink& link) {
-    return all.lines[std::size_t(link.from)].surface != all.lines[std::size_t(link.to)].surface;
-  };
-  for (const LineLink& link : all.collinearities)
-    if (between_surfaces(link))
-      cv::line(picture, at(all.lines[std::size_t(link.from)].ends[1]), at(all.lines[std::size_t(link.to)].ends[0]),
-               {220, 60, 220}, 1, cv::LINE_AA);
-  for (const LineLink& link : all.junctions)
-    if (between_surfaces(link)) cv::circle(picture, at(link.meeting), 2, {60, 160, 255}, cv::FILLED, cv::LINE_AA);
+  for (const LineLink& link : surest_between_surfaces(all.collinearities, all.lines))
+    cv::line(picture, at(all.lines[std::size_t(link.from)].ends[1]), at(all.lines[std::size_t(link.to)].ends[0]),
+             {220, 60, 220}, 1, cv::LINE_AA);
+  for (const LineLink& link : surest_between_surfaces(all.junctions, all.lines))
+    cv::circle(picture, at(link.meeting), 2, {60, 160, 255}, cv::FILLED, cv::LINE_AA);
   for (const TJunction& t : all.t_junctions)
     cv::drawMarker(picture, at(t.at), {60, 60, 255}, cv::MARKER_TILTED_CROSS, 9, 1, cv::LINE_AA);
   return picture;

@@ -27,7 +27,7 @@ struct FittedLine {
 /// they are left out where enough others are there.
 FittedLine fit(const Chain& chain, std::size_t first, std::size_t count) {
   const std::size_t trim = std::min<std::size_t>(2, count / 8);
-  const Eigen::Vector2f origin = chain[(first + count / 2) % chain.size()];
+  const Eigen::Vector2f& origin = chain[(first + count / 2) % chain.size()];
   Eigen::Vector2f sum = Eigen::Vector2f::Zero();
   float xx = 0, xy = 0, yy = 0;
   for (std::size_t i = trim; i < count - trim; ++i) {
@@ -63,7 +63,8 @@ void split(const Chain& chain, std::size_t first, std::size_t last, float tolera
   while (!open.empty()) {
     const auto [a, b] = open.back();
     open.pop_back();
-    const Eigen::Vector2f start = chain[a % chain.size()], along = chain[b % chain.size()] - start;
+    const Eigen::Vector2f& start = chain[a % chain.size()];
+    const Eigen::Vector2f along = chain[b % chain.size()] - start;
     const float length = along.norm();
     std::size_t worst = a;
     float deviation = tolerance;
@@ -83,7 +84,7 @@ void split(const Chain& chain, std::size_t first, std::size_t last, float tolera
 
 bool one_line(const Chain& chain, std::size_t first, std::size_t count, float tolerance) {
   const FittedLine line = fit(chain, first, count);
-  const Eigen::Vector2f start = chain[first % chain.size()], end = chain[(first + count - 1) % chain.size()];
+  const Eigen::Vector2f &start = chain[first % chain.size()], &end = chain[(first + count - 1) % chain.size()];
   const float reach = (end - start).norm();
   for (std::size_t i = 0; i < count; ++i) {
     const Eigen::Vector2f& p = chain[(first + i) % chain.size()];

@@ -3,6 +3,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <array>
 #include <csignal>
 #include <cstring>
@@ -61,6 +62,22 @@ TEST_F(Segment, WritesEveryResultOfAScene) {
   const cv::Size size(320, 240);
   EXPECT_EQ(image(result / "labels.png").type(), CV_16UC1);
   for (const char* name : {"labels.png", "overlay.png", "patches.png"}) EXPECT_EQ(image(result / name).size(), size);
+}
+
+TEST_F(Segment, DebugImagesShowTheBoundaryLines) {
+  expect_success(segment({synthetic_scene(), "--debug-images"}));
+  const fs::path result = out / "mixed_objects_1_000";
+  std::vector<std::string> files = result_files;
+  files.emplace_back("lines.png");
+  std::sort(files.begin(), files.end());
+  EXPECT_EQ(files_below(result), files);
+  const cv::Mat lines = image(result / "lines.png");
+  ASSERT_EQ(lines.type(), CV_8UC3);
+  EXPECT_EQ(lines.size(), cv::Size(640, 480)) << "twice the frame's size";
+  // The outer boundaries of objects before the table are drawn in green.
+  cv::Mat green;
+  cv::inRange(lines, cv::Scalar(0, 190, 0), cv::Scalar(140, 255, 140), green);
+  EXPECT_GT(cv::countNonZero(green), 100);
 }
 
 TEST_F(Segment, LabelsAreTheSegmentsOfTheResult) {

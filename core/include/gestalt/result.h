@@ -31,9 +31,9 @@ GESTALT_EXPORT cv::Mat draw_segments(const Frame& frame, const Segmentation& seg
 /// CV_8UC3: every patch after surface merging in a colour of its own, black where there is none.
 GESTALT_EXPORT cv::Mat draw_patches(const cv::Mat_<int>& labels);
 
-/// CV_8UC3, twice the frame's size: the twelve cheapest closures (tinted), boundary lines (green where a surface ends
-/// before something farther or nothing, blue where it meets what is as near, grey where something else ends it), and
-/// between different surfaces collinearities (violet) and L-junctions (orange); T-junctions (red crosses).
+/// CV_8UC3, twice the frame's size: the twelve cheapest closures (tinted); boundary lines, green where a surface ends
+/// before something farther or nothing, blue where it meets what is as near, grey where something else ends it; the 80
+/// cheapest collinearities (violet) and L-junctions (orange) between surfaces; T-junctions (red crosses).
 GESTALT_EXPORT cv::Mat draw_boundary_lines(const Scene& scene);
 
 /// Writes labels.png, objects.png (the same with background at 0), overlay.png, patches.png and result.json, for
