@@ -55,7 +55,7 @@ class ModelFile : public testing::Test {
 
   void write(const std::string& text) { std::ofstream(file_) << text; }
 
-  /// What read_model() says, or "" when it accepts the file.
+  /// What read_models() says, or "" when it accepts the file.
   std::string complaint(const std::vector<std::string>& wanted = names, const std::string& plugin = "first_value") {
     try {
       read_models(file_, {classifier_, plugin, wanted}, {});

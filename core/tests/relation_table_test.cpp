@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
 
 #include "gestalt/error.h"
@@ -19,7 +20,12 @@ class Numbered final : public Relation {
  public:
   explicit Numbered(std::string name, double fixed = -1) : values_{{std::move(name), 0, 1000, ""}}, fixed_(fixed) {}
   const std::vector<RelationValue>& values() const override { return values_; }
-  std::unique_ptr<Measure> bind(const Scene&) const override { return std::make_unique<Value>(fixed_); }
+  std::unique_ptr<Measure> bind(const Scene&) const override {
+    ++bound;
+    return std::make_unique<Value>(fixed_);
+  }
+
+  mutable std::atomic<int> bound = 0;
 
  private:
   struct Value final : Measure {
@@ -62,9 +68,10 @@ TEST(RelationTable, HoldsTheValuesOfAllRelations) {
 TEST(RelationTable, ARelationOfBothLevelsIsBoundOnce) {
   const auto known = row();
   const Scene scene(known.frame, known.patches, known.surfaces);
-  const NamedRelation shared = numbered("x");
+  const auto relation = std::make_shared<Numbered>("r_x");
+  const NamedRelation shared{"x", relation};
   const Measures measures(scene, {shared, numbered("y"), shared});
-  EXPECT_EQ(&measures.of(*shared.relation), &measures.of(*shared.relation));
+  EXPECT_EQ(relation->bound, 1);
   EXPECT_EQ(relate(non_neighbour_pairs(known.surfaces, 1), {shared}, measures).row(0)[0], 200);
 }
 
