@@ -43,14 +43,14 @@ Variant overridden(const Options& options, const Registry& registry, const Overr
   std::vector<std::string> overrides = options.pipeline.overrides;
   overrides.insert(overrides.end(), set.overrides.begin(), set.overrides.end());
   try {
-    return {set.name, ConfigTree(config_file(options), overrides).resolve(registry), {}, {}};
+    return {set.name, ConfigTree(config_file(options), overrides).resolve(registry)};
   } catch (const ConfigError& error) {
     throw ConfigError("variant '" + set.name + "': " + error.what());
   }
 }
 
 std::vector<Variant> all_variants(const Options& options, const LoadedConfig& loaded) {
-  std::vector<Variant> variants{{"base", loaded.config, {}, {}}};
+  std::vector<Variant> variants{{"base", loaded.config}};
   std::vector<OverrideSet> sets = grid(options.grid);
   if (!options.variants.empty()) {
     const std::vector<OverrideSet> named = read_override_sets(options.variants);

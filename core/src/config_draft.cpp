@@ -129,9 +129,9 @@ class Layer {
     if (node.kind == Node::Kind::scalar) {
       set_plugin(component, node, path);
     } else if (node.kind == Node::Kind::mapping) {
-      std::vector<Key> keys = other_keys;
-      keys.push_back({"plugin", [&](const Node& n, const std::string& p) { set_plugin(component, n, p); }});
-      keys.push_back(settings("params", component.params));
+      std::vector<Key> keys{{"plugin", [&](const Node& n, const std::string& p) { set_plugin(component, n, p); }},
+                            settings("params", component.params)};
+      keys.insert(keys.end(), other_keys.begin(), other_keys.end());
       read_mapping(node, path, keys);
     } else {
       problems_.add(node.place, path,
@@ -146,8 +146,30 @@ class Layer {
                         "; on and off are for a component of a list, as in 'relations: {name: off}'");
       return;
     }
-    if (component.plugin && component.plugin->text != node.text) component.params.clear();
+    if (component.plugin && component.plugin->text != node.text) {
+      component.params.clear();
+      component.values.reset();
+    }
     component.plugin = node;
+  }
+
+  void read_values(ComponentDraft& component, const Node& node, const std::string& path) {
+    const auto is_scalar = [](const Entry& entry) { return entry.value.kind == Node::Kind::scalar; };
+    const bool all = node.kind == Node::Kind::scalar && node.text == "all" && !node.quoted;
+    const bool some = node.kind == Node::Kind::list && !node.entries.empty() &&
+                      std::all_of(node.entries.begin(), node.entries.end(), is_scalar);
+    if (all || some)
+      component.values = node;
+    else
+      problems_.add(node.place, path,
+                    "expected a list of the relation's values, as in [r_cu3], or all" +
+                        (node.kind == Node::Kind::list ? "" : ", got " + node.description()));
+  }
+
+  /// The keys of a listed component beside those that every component has.
+  std::vector<Key> listed_keys(const ComponentListDraft& list, ComponentDraft& component) {
+    if (!list.relations) return {};
+    return {{"values", [&](const Node& n, const std::string& p) { read_values(component, n, p); }}};
   }
 
   /// A list merges by name into what the layers below have: new names go to the end.
@@ -183,7 +205,9 @@ class Layer {
       return;
     }
     ComponentDraft& component = switch_on(list, *name);
-    read_component(component, item, path, {{"name", [](const Node&, const std::string&) {}}});
+    std::vector<Key> keys = listed_keys(list, component);
+    keys.push_back({"name", [](const Node&, const std::string&) {}});
+    read_component(component, item, path, keys);
     if (!component.plugin) component.plugin = *name;
   }
 
@@ -198,7 +222,7 @@ class Layer {
       return;
     }
     ComponentDraft& component = switch_on(list, name);
-    if (!state) read_component(component, entry.value, path);
+    if (!state) read_component(component, entry.value, path, listed_keys(list, component));
     if (!component.plugin) component.plugin = name;
   }
 

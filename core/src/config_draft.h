@@ -21,6 +21,7 @@ struct ComponentDraft {
   std::string name;            ///< in a list; empty for a component that stands alone
   std::optional<Node> plugin;  ///< scalar
   Settings params;
+  std::optional<Node> values;  ///< of a relation: a list of scalars, or the scalar all
   bool on = true;  ///< one that is off keeps its position and params, so that 'on' brings it back as it was
   Place place;     ///< of the last layer that names it; no source before the first
 };
@@ -28,6 +29,7 @@ struct ComponentDraft {
 struct ComponentListDraft {
   std::vector<ComponentDraft> components;
   std::optional<Place> place;  ///< of the last layer that names the list
+  bool relations = false;      ///< its components may have values
 };
 
 struct DirectoryDraft {
@@ -36,7 +38,7 @@ struct DirectoryDraft {
 };
 
 struct LevelDraft {
-  ComponentListDraft relations;
+  ComponentListDraft relations{{}, {}, true};
   ComponentDraft classifier;
   std::optional<Node> minimum_size;
   std::optional<Node> negatives;

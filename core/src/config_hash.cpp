@@ -16,7 +16,9 @@ std::string values_text(const ParameterValues& values) {
 }
 
 std::string component_text(const std::string& kind, const ComponentConfig& component) {
-  return kind + " " + component.plugin + "\n" + values_text(component.params);
+  std::string text = kind + " " + component.plugin + "\n" + values_text(component.params);
+  for (const std::string& value : component.values) text += "  only " + value + "\n";
+  return text;
 }
 
 std::string primitive_text(const Config& config) {

@@ -99,6 +99,8 @@ class Yaml {
     section(level, key);
     write_value(level + 1, "plugin", join(path, "plugin"), word(component.plugin));
     write_values(level + 1, "params", join(path, "params"), component.params);
+    if (!component.values.empty())
+      write_value(level + 1, "values", join(path, "values"), json(component.values).dump());
   }
 
   void write_list(int level, const std::string& key, const std::string& path,
@@ -115,7 +117,9 @@ class Yaml {
 };
 
 json component_values(const ComponentConfig& component) {
-  return {{"plugin", component.plugin}, {"params", parameter_values(component.params)}};
+  json values{{"plugin", component.plugin}, {"params", parameter_values(component.params)}};
+  if (!component.values.empty()) values["values"] = component.values;
+  return values;
 }
 
 /// A JSON object has no order, and that of components counts.

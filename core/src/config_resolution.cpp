@@ -3,10 +3,13 @@
 
 #include "config_resolution.h"
 
+#include <algorithm>
 #include <optional>
+#include <set>
 
 #include "gestalt/depth_noise.h"
 #include "gestalt/figure_ground.h"
+#include "gestalt/relation.h"
 #include "gestalt/suggest.h"
 #include "gestalt/surface_modelling.h"
 
@@ -116,7 +119,10 @@ class Resolver {
     const Node& plugin = *draft.plugin;
     note(join(path, "plugin"), plugin.place);
     try {
-      return {name, plugin.text, values(registry_.parameters(kind, plugin.text), draft.params, join(path, "params"))};
+      ComponentConfig component{name, plugin.text,
+                                values(registry_.parameters(kind, plugin.text), draft.params, join(path, "params"))};
+      if (draft.values) component.values = relation_values(component, *draft.values, join(path, "values"));
+      return component;
     } catch (const PluginError& error) {
       // Where plugins were searched is the same for every missing one and is told once, at the end.
       const std::string words = error.what();
@@ -125,6 +131,29 @@ class Resolver {
       if (searched != std::string::npos) searched_ = words.substr(searched);
       return {};
     }
+  }
+
+  /// The given ones of a relation's values, in its order; none for all of them. They may depend on its params, so that
+  /// it has to be made.
+  std::vector<std::string> relation_values(const ComponentConfig& component, const Node& given,
+                                           const std::string& path) {
+    note(path, given.place);
+    if (given.kind == Node::Kind::scalar) return {};
+    std::vector<std::string> names;
+    for (const RelationValue& value : registry_.create<Relation>(component.plugin, component.params)->values())
+      names.push_back(value.name);
+    std::set<std::string> wanted;
+    for (const Entry& entry : given.entries) {
+      const std::string& name = entry.value.text;
+      if (std::find(names.begin(), names.end(), name) == names.end())
+        problems_.add(entry.value.place, path,
+                      "'" + component.plugin + "' gives no value '" + name + "'" + did_you_mean(name, names));
+      wanted.insert(name);
+    }
+    std::vector<std::string> kept;
+    for (const std::string& name : names)
+      if (wanted.contains(name)) kept.push_back(name);
+    return kept.size() == names.size() ? std::vector<std::string>{} : kept;
   }
 
   std::string known(const char* kind) const {

@@ -82,7 +82,7 @@ Pipeline::Grouping Pipeline::make_grouping(const LevelConfig& config, const Regi
     const auto same = std::find_if(known.begin(), known.end(), [&](const auto& entry) {
       return entry.first.plugin == component.plugin && entry.first.params == component.params;
     });
-    NamedRelation named{component.name, nullptr, component.plugin};
+    NamedRelation named{component.name, nullptr, component.plugin, component.values};
     if (same != known.end()) {
       named.relation = same->second.relation;
     } else {

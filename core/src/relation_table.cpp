@@ -24,13 +24,28 @@ void check_values(const NamedRelation& named, std::span<const double> values) {
                         std::to_string(declared[i].high) + "]; report this to its author");
 }
 
+/// Indices of the values that a level has of a relation.
+std::vector<std::size_t> kept(const NamedRelation& named) {
+  const std::vector<RelationValue>& declared = named.relation->values();
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < declared.size(); ++i)
+    if (named.values.empty() ||
+        std::find(named.values.begin(), named.values.end(), declared[i].name) != named.values.end())
+      indices.push_back(i);
+  return indices;
+}
+
 }  // namespace
+
+std::string value_name(const std::string& value, const std::string& relation, const std::string& plugin) {
+  return relation == plugin ? value : value + "." + relation;
+}
 
 std::vector<std::string> value_names(const std::vector<NamedRelation>& relations) {
   std::vector<std::string> names;
   for (const NamedRelation& named : relations)
-    for (const RelationValue& value : named.relation->values()) {
-      const std::string name = named.name == named.plugin ? value.name : value.name + "." + named.name;
+    for (const std::size_t i : kept(named)) {
+      const std::string name = value_name(named.relation->values()[i].name, named.name, named.plugin);
       if (std::find(names.begin(), names.end(), name) != names.end())
         throw ConfigError("two relations of a level give the value " + name + ", the second is '" + named.name +
                           "'; take one of them out");
@@ -87,13 +102,17 @@ RelationTable relate(const std::vector<SurfacePair>& pairs, const std::vector<Na
   const std::size_t columns = table.names.size();
   table.values.resize(columns * pairs.size());
   for (const SurfacePair& pair : pairs) table.pairs.push_back({pair.a, pair.b});
+  std::vector<std::vector<std::size_t>> kept_of;
+  kept_of.reserve(relations.size());
+  for (const NamedRelation& named : relations) kept_of.push_back(kept(named));
   tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
-    std::span<double> row(table.values.data() + i * columns, columns);
-    for (const NamedRelation& named : relations) {
-      const std::span<double> own = row.first(named.relation->values().size());
-      measures.of (*named.relation)(pairs[i], own);
-      check_values(named, own);
-      row = row.subspan(own.size());
+    auto cell = table.values.begin() + std::ptrdiff_t(i * columns);
+    std::vector<double> own;
+    for (std::size_t r = 0; r < relations.size(); ++r) {
+      own.assign(relations[r].relation->values().size(), 0);
+      measures.of (*relations[r].relation)(pairs[i], own);
+      check_values(relations[r], own);
+      for (const std::size_t value : kept_of[r]) *cell++ = own[value];
     }
   });
   return table;

@@ -108,6 +108,7 @@ void expect_equal(const ComponentConfig& a, const ComponentConfig& b) {
   EXPECT_EQ(a.name, b.name);
   EXPECT_EQ(a.plugin, b.plugin);
   EXPECT_EQ(a.params, b.params);
+  EXPECT_EQ(a.values, b.values);
 }
 
 void expect_equal(const std::vector<ComponentConfig>& a, const std::vector<ComponentConfig>& b) {
@@ -204,6 +205,26 @@ TEST_F(ConfigTest, ANewPluginDropsTheParamsOfTheOldOne) {
   const Config config = resolve(extend("structural: {classifier: {params: {bins: 2}, plugin: tree}}"));
   EXPECT_EQ(real(config.structural.classifier, "sigma"), 1.5);
   EXPECT_EQ(integer(config.structural.classifier, "bins"), 2);
+}
+
+TEST_F(ConfigTest, ALevelMayHaveAPartOfARelationsValues) {
+  const auto values = [this](const std::string& colour, const Overrides& overrides = {}) {
+    return resolve(extend("structural: {relations: {colour: " + colour + "}}"), overrides)
+        .structural.relations[0]
+        .values;
+  };
+  EXPECT_EQ(values("{values: [r_two]}"), Names{"r_two"});
+  EXPECT_EQ(values("{values: [r_three, r_one, r_three]}"), (Names{"r_one", "r_three"})) << "its own order";
+  EXPECT_EQ(values("{values: [r_three, r_one, r_two]}"), Names{}) << "all are no part";
+  EXPECT_EQ(values("on"), Names{});
+  EXPECT_EQ(values("on", {"structural.relations.colour.values=[r_one]"}), Names{"r_one"});
+  EXPECT_EQ(values("{values: [r_two]}", {"structural.relations.colour.params.bins=2"}), Names{"r_two"});
+  EXPECT_EQ(values("{values: [r_two]}", {"structural.relations.colour.values=all"}), Names{});
+  EXPECT_EQ(values("{values: [r_two]}", {"structural.relations.colour.plugin=border"}), Names{});
+  EXPECT_EQ(resolve(extend("structural: {relations: [{name: a, plugin: border, values: [r_one]}]}"))
+                .structural.relations.back()
+                .values,
+            Names{"r_one"});
 }
 
 TEST_F(ConfigTest, AChainMergesFromItsEnd) {
@@ -357,6 +378,22 @@ TEST_F(ConfigTest, WrongListsOfComponentsAreErrors) {
             Lines{"extended.yaml:3:51: structural.relations.border.parms: unknown key; did you mean 'params'?"});
   EXPECT_EQ(error("{border: {params: {bins: [1]}}}"),
             Lines{"extended.yaml:3:50: structural.relations.border.params.bins: expected one value, got a list"});
+  EXPECT_EQ(
+      error("{border: {values: [r_one, r_tow], params: {bins: 0}}}"),
+      (Lines{"extended.yaml:3:51: structural.relations.border.values: 'border' gives no value 'r_tow'; did you mean "
+             "'r_two'?",
+             "extended.yaml:3:74: structural.relations.border.params.bins: expected an integer in [1, 16], got "
+             "'0'"}));
+  EXPECT_EQ(
+      error("{border: {values: r_one}}"),
+      Lines{"extended.yaml:3:43: structural.relations.border.values: expected a list of the relation's values, as "
+            "in [r_cu3], or all, got 'r_one'"});
+  EXPECT_EQ(
+      error("{border: {values: []}}"),
+      Lines{"extended.yaml:3:43: structural.relations.border.values: expected a list of the relation's values, as "
+            "in [r_cu3], or all"});
+  EXPECT_EQ(errors(extend("primitive: {fitters: {flat: {values: [r_one]}}}")),
+            Lines{"extended.yaml:3:30: primitive.fitters.flat.values: unknown key"});
   EXPECT_EQ(error("[off]"),
             Lines{"extended.yaml:3:26: structural.relations[0]: expected a component's name, got 'off'"});
   EXPECT_EQ(error("[{name: colour, plugin: off}]"),
@@ -435,7 +472,7 @@ structural:
   minimum_size: 12
   relations:
     colour: off
-    "null": {plugin: border, params: {sigma: 0.1, smooth: off, norm: l1}}
+    "null": {plugin: border, params: {sigma: 0.1, smooth: off, norm: l1}, values: [r_one, r_three]}
 plugin_directories: [a b]
 )");
   const ConfigTree tree(file, {"structural.relations.texture.params.sigma=1e-7"});
@@ -456,6 +493,7 @@ TEST_F(ConfigTest, EveryValueTellsWhereItCameFrom) {
   EXPECT_EQ(provenance.at("structural.classifier.params.bins"), "extended.yaml:3");
   EXPECT_EQ(provenance.at("structural.relations.texture.params.bins"), "base.yaml:9");
   EXPECT_EQ(provenance.at("structural.relations.texture.params.norm"), "--set");
+  EXPECT_FALSE(provenance.contains("structural.relations.texture.values"));
   EXPECT_EQ(provenance.at("structural.relations.colour"), "--set");
   EXPECT_EQ(provenance.at("structural.minimum_size"), "default");
 
@@ -567,7 +605,8 @@ TEST_F(ConfigTest, TheHashChangesWithWhatChangesRelationValues) {
   for (const char* other : {"signal.clusterer=grid", "signal.clusterer.params.bins=5", "primitive.fitters.round=on",
                             "primitive.fitters.flat.params.bins=5", "primitive.model_selection.sigma=2.75",
                             "structural.relations.border=on", "structural.relations.colour=off",
-                            "structural.relations.colour.params.bins=5", "structural.minimum_size=31"})
+                            "structural.relations.colour.params.bins=5", "structural.minimum_size=31",
+                            "structural.relations.colour.values=[r_one]"})
     EXPECT_NE(hash({other}), base) << other;
   for (const char* same :
        {"structural.classifier=tree", "model=other.json", "decision.solver.params.bins=5", "sensor.noise=realsense",
@@ -586,9 +625,10 @@ TEST(ConfigHash, IsTheFnv1aOfTheCanonicalText) {
   config.clusterer = {"c", "c", {{"x", 0.5}}};
   config.fitters = {{"f", "f", {}}};
   config.structural.minimum_size = 30;
-  config.structural.relations = {{"any", "r", {{"on", true}, {"n", std::int64_t{2}}}}};
+  config.structural.relations = {{"any", "r", {{"on", true}, {"n", std::int64_t{2}}}}, {"part", "s", {}, {"s_1"}}};
   const std::string text =
-      "clusterer c\n  x=0.5\nfitter f\nmodel_selection\nrelation r\n  n=2\n  on=true\nminimum_size 30\n";
+      "clusterer c\n  x=0.5\nfitter f\nmodel_selection\nrelation r\n  n=2\n  on=true\nrelation s\n  only s_1\n"
+      "minimum_size 30\n";
   std::uint64_t hash = 14695981039346656037u;
   for (const char c : text) hash = (hash ^ std::uint64_t(c)) * 1099511628211u;
   char expected[17];

@@ -43,6 +43,25 @@ NamedRelation numbered(const std::string& name, double fixed = -1) {
   return {name, std::make_shared<Numbered>("r_" + name, fixed)};
 }
 
+/// Gives a, b and a + b.
+class Several final : public Relation {
+ public:
+  const std::vector<RelationValue>& values() const override { return values_; }
+  std::unique_ptr<Measure> bind(const Scene&) const override {
+    struct Value final : Measure {
+      void operator()(const SurfacePair& pair, std::span<double> out) const override {
+        out[0] = pair.a;
+        out[1] = pair.b;
+        out[2] = pair.a + pair.b;
+      }
+    };
+    return std::make_unique<Value>();
+  }
+
+ private:
+  std::vector<RelationValue> values_{{"r_a", 0, 9, ""}, {"r_b", 0, 9, ""}, {"r_sum", 0, 9, ""}};
+};
+
 /// Three squares in a row, 1 and 2 touching in space, 2 and 3 only in the image.
 test::KnownScene row() {
   return test::render({{{100, 100, 20, 20}, {0, 0, 1}, {0, 0, -1}},
@@ -63,6 +82,16 @@ TEST(RelationTable, HoldsTheValuesOfAllRelations) {
   ASSERT_EQ(table.pairs.size(), 1u);
   EXPECT_EQ(table.row(0)[0], 100);
   EXPECT_EQ(table.row(0)[1], 7);
+}
+
+TEST(RelationTable, HoldsTheValuesThatALevelHasOfARelation) {
+  const auto known = row();
+  const NamedRelation part{"part", std::make_shared<Several>(), "several", {"r_a", "r_sum"}};
+  const RelationTable table =
+      relate_all(known, non_neighbour_pairs(known.surfaces, 1), {numbered("x", 7), part, numbered("y", 8)});
+  EXPECT_EQ(table.names, (std::vector<std::string>{"r_x", "r_a.part", "r_sum.part", "r_y"}));
+  ASSERT_EQ(table.pairs.size(), 2u);
+  EXPECT_EQ(table.values, (std::vector<double>{7, 0, 2, 8, 7, 1, 3, 8}));
 }
 
 TEST(RelationTable, ARelationOfBothLevelsIsBoundOnce) {

@@ -232,15 +232,6 @@ class Programs {
   std::map<fs::path, std::string> hashes_;
 };
 
-std::string values_text(const char* level, const std::optional<std::vector<std::string>>& values) {
-  if (!values) return "";
-  std::vector<std::string> sorted = *values;
-  std::sort(sorted.begin(), sorted.end());
-  std::string text = std::string(level) + " values";
-  for (const std::string& value : sorted) text += " " + value;
-  return text + "\n";
-}
-
 /// Reports progress and warnings one at a time.
 class Reporter {
  public:
@@ -307,9 +298,7 @@ std::vector<ExperimentOutcome> run_experiments(const std::vector<Variant>& varia
   tasks.reserve(variants.size());
   for (std::size_t i = 0; i < variants.size(); ++i) {
     const Variant& variant = variants[i];
-    const std::string key = programs.text(variant.config) + canonical(variant.config) +
-                            values_text("structural", variant.structural_values) +
-                            values_text("assembly", variant.assembly_values) + scenes;
+    const std::string key = programs.text(variant.config) + canonical(variant.config) + scenes;
     same_as[i] = first.emplace(key, i).first->second;
     if (same_as[i] != i) continue;
     ResultFile file(store, key);

@@ -213,7 +213,7 @@ Protocol find_protocol(const fs::path& data, int folds) {
 }
 
 std::vector<Variant> reproduction_variants(const Config& config, const Registry& registry) {
-  Variant structural{structural_level, config, {}, {}};
+  Variant structural{structural_level, config};
   structural.config.with_assembly = false;
   std::vector<Variant> variants{structural};
   const auto add_each = [&](const Variant& base, const std::string& values, Level level) {
@@ -225,7 +225,7 @@ std::vector<Variant> reproduction_variants(const Config& config, const Registry&
   };
   add_each(structural, "structural.values", Level::structural);
   if (!config.assembly) return variants;
-  Variant both{both_levels, config, {}, {}};
+  Variant both{both_levels, config};
   both.config.with_assembly = true;
   variants.push_back(both);
   add_each(both, "assembly.values", Level::assembly);

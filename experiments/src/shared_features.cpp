@@ -5,9 +5,6 @@
 
 #include <algorithm>
 
-#include "gestalt/error.h"
-#include "gestalt/suggest.h"
-
 namespace gestalt {
 
 namespace {
@@ -21,6 +18,7 @@ std::size_t place(const ComponentConfig& component, std::vector<ComponentConfig>
   if (same != list.end()) return std::size_t(same - list.begin());
   list.push_back(component);
   list.back().name = "#" + std::to_string(list.size() - 1);
+  list.back().values.clear();
   return list.size() - 1;
 }
 
@@ -30,37 +28,25 @@ struct Column {
   std::string name;
 };
 
-/// The columns of a shared table that hold the values of a component.
+/// The columns of a shared table that hold the values that a variant has of a component.
 void append_columns(const RelationTable& shared, const ComponentConfig& listed, const ComponentConfig& own,
                     std::vector<Column>& columns) {
   const std::string ending = "." + listed.name;
   for (std::size_t i = 0; i < shared.names.size(); ++i) {
     if (!shared.names[i].ends_with(ending)) continue;
     const std::string value = shared.names[i].substr(0, shared.names[i].size() - ending.size());
-    columns.push_back({i, own.name == own.plugin ? value : value + "." + own.name});
+    if (!own.values.empty() && std::find(own.values.begin(), own.values.end(), value) == own.values.end()) continue;
+    columns.push_back({i, value_name(value, own.name, own.plugin)});
   }
 }
 
-void keep_only(const std::vector<std::string>& values, std::vector<Column>& columns) {
-  std::vector<std::string> names;
-  names.reserve(columns.size());
-  for (const Column& column : columns) names.push_back(column.name);
-  for (const std::string& value : values)
-    if (std::find(names.begin(), names.end(), value) == names.end())
-      throw ConfigError("the config's relations give no value " + value + did_you_mean(value, names));
-  std::erase_if(columns, [&](const Column& column) {
-    return std::find(values.begin(), values.end(), column.name) == values.end();
-  });
-}
-
 RelationTable select(const RelationTable& shared, const Percept& percept, const std::vector<ComponentConfig>& listed,
-                     const LevelConfig& level, const std::optional<std::vector<std::string>>& values) {
+                     const LevelConfig& level) {
   std::vector<Column> columns;
   for (const ComponentConfig& own : level.relations) {
     const auto same = std::find_if(listed.begin(), listed.end(), [&](const auto& known) { return equal(known, own); });
     append_columns(shared, *same, own, columns);
   }
-  if (values) keep_only(*values, columns);
 
   RelationTable table;
   for (const Column& column : columns) table.names.push_back(column.name);
@@ -106,11 +92,10 @@ LearningScene SharedFeatures::perceive(const Frame& frame, const cv::Mat_<std::u
 LearningScene SharedFeatures::scene_for(const Variant& variant, const LearningScene& shared) const {
   LearningScene scene = shared;
   const Config& config = variant.config;
-  scene.percept.structural =
-      select(shared.percept.structural, shared.percept, structural_, config.structural, variant.structural_values);
-  scene.percept.assembly = config.with_assembly ? select(shared.percept.assembly, shared.percept, assembly_,
-                                                         *config.assembly, variant.assembly_values)
-                                                : RelationTable{};
+  scene.percept.structural = select(shared.percept.structural, shared.percept, structural_, config.structural);
+  scene.percept.assembly = config.with_assembly
+                               ? select(shared.percept.assembly, shared.percept, assembly_, *config.assembly)
+                               : RelationTable{};
   return scene;
 }
 

@@ -8,6 +8,8 @@
 #include "gestalt/ablation.h"
 #include "gestalt/error.h"
 #include "gestalt/pipeline.h"
+#include "gestalt/relation.h"
+#include "gestalt/relation_table.h"
 #include "gestalt/suggest.h"
 #include "whole_file.h"
 
@@ -90,13 +92,46 @@ LevelConfig& level_of(Config& config, Level level, const std::string& target) {
   return *config.assembly;
 }
 
-/// All but one, or only that one.
-template <class T>
-std::vector<T> reduced(const std::vector<T>& all, std::size_t one, EachMode mode) {
-  std::vector<T> kept;
-  for (std::size_t i = 0; i < all.size(); ++i)
-    if ((i == one) == (mode == EachMode::only)) kept.push_back(all[i]);
-  return kept;
+/// A relation of a level, or one of several values that the level has of it.
+struct Part {
+  std::size_t relation;
+  std::string value;                ///< empty: the whole relation
+  std::vector<std::string> others;  ///< the other values
+  std::string name;
+};
+
+std::vector<Part> relation_parts(const std::vector<ComponentConfig>& relations) {
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < relations.size(); ++i) parts.push_back({i, "", {}, relations[i].name});
+  return parts;
+}
+
+std::vector<Part> value_parts(const std::vector<ComponentConfig>& relations, const Registry& registry) {
+  std::vector<Part> parts;
+  for (std::size_t i = 0; i < relations.size(); ++i) {
+    const ComponentConfig& relation = relations[i];
+    std::vector<std::string> values = relation.values;
+    if (values.empty())
+      for (const RelationValue& value : registry.create<Relation>(relation.plugin, relation.params)->values())
+        values.push_back(value.name);
+    for (const std::string& value : values) {
+      Part part{i, values.size() > 1 ? value : "", values, value_name(value, relation.name, relation.plugin)};
+      std::erase(part.others, value);
+      parts.push_back(std::move(part));
+    }
+  }
+  return parts;
+}
+
+/// All but the part, or only that.
+std::vector<ComponentConfig> reduced(std::vector<ComponentConfig> relations, const Part& part, EachMode mode) {
+  const auto relation = relations.begin() + std::ptrdiff_t(part.relation);
+  if (!part.value.empty())
+    relation->values = mode == EachMode::only ? std::vector{part.value} : part.others;
+  else if (mode == EachMode::without)
+    relations.erase(relation);
+  if (mode == EachMode::only) return {*relation};
+  return relations;
 }
 
 }  // namespace
@@ -140,23 +175,16 @@ std::vector<Variant> each(const Variant& base, const Registry& registry, const s
   const Level level = target.starts_with("structural") ? Level::structural : Level::assembly;
   Config config = base.config;
   const std::vector<ComponentConfig> relations = level_of(config, level, target).relations;
-  const bool by_value = target.ends_with("values");
-  std::vector<std::string> names;
-  if (by_value)
-    names = level_values(base.config, registry, level);
-  else
-    for (const ComponentConfig& relation : relations) names.push_back(relation.name);
-  if (names.size() < 2 && mode == EachMode::without)
-    throw ConfigError("--each " + target + ": without '" + names.at(0) + "' nothing would be left");
+  const std::vector<Part> parts =
+      target.ends_with("values") ? value_parts(relations, registry) : relation_parts(relations);
+  if (parts.size() < 2 && mode == EachMode::without)
+    throw ConfigError("--each " + target + ": without '" + parts.at(0).name + "' nothing would be left");
 
   std::vector<Variant> variants;
-  for (std::size_t i = 0; i < names.size(); ++i) {
+  for (const Part& part : parts) {
     Variant variant = base;
-    variant.name = std::string(mode == EachMode::only ? "only " : "without ") + name_of(level) + "." + names[i];
-    if (by_value)
-      (level == Level::structural ? variant.structural_values : variant.assembly_values) = reduced(names, i, mode);
-    else
-      level_of(variant.config, level, target).relations = reduced(relations, i, mode);
+    variant.name = std::string(mode == EachMode::only ? "only " : "without ") + name_of(level) + "." + part.name;
+    level_of(variant.config, level, target).relations = reduced(relations, part, mode);
     variants.push_back(std::move(variant));
   }
   return variants;

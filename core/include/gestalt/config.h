@@ -21,6 +21,8 @@ struct ComponentConfig {
   std::string name;
   std::string plugin;
   ParameterValues params;  ///< complete: defaults filled in
+  /// Of a relation: which of its values a level has, a part of them in the order it declares; empty: all.
+  std::vector<std::string> values{};
 };
 
 /// How one level groups: sections `structural` and `assembly`.

@@ -29,11 +29,14 @@ struct RelationTable {
 struct NamedRelation {
   std::string name;
   std::shared_ptr<const Relation> relation;
-  std::string plugin = name;  ///< its plugin's name, where the config gives the component another
+  std::string plugin = name;          ///< its plugin's name, where the config gives the component another
+  std::vector<std::string> values{};  ///< ComponentConfig::values
 };
 
-/// Value names of the relations, in order: "r_ga", and "r_ga.coarse" of a relation that the config names coarse. Throws
-/// ConfigError when two give a value of the same name.
+/// What a level calls a value of a relation: "r_ga", and "r_ga.coarse" of a relation that the config names coarse.
+GESTALT_EXPORT std::string value_name(const std::string& value, const std::string& relation, const std::string& plugin);
+
+/// The names of the values that a level has of the relations, in order. Throws ConfigError when two are the same.
 GESTALT_EXPORT std::vector<std::string> value_names(const std::vector<NamedRelation>& relations);
 
 /// Structural level: the pairs of 3D neighbours of which both have at least minimum_size pixels, sorted by (a, b).

@@ -3,6 +3,7 @@
 
 /// A component of each kind whose parameters have every type, for tests that need a registry and no real component.
 
+#include <algorithm>
 #include <nlohmann/json.hpp>
 
 #include "gestalt/plugin.h"
@@ -47,12 +48,15 @@ struct TestFitter final : Component<Fitter> {
 struct TestRelation final : Component<Relation> {
   explicit TestRelation(const Params&) {}
   const std::vector<RelationValue>& values() const override {
-    static const std::vector<RelationValue> values{{"r_test", 0, 1, "always 0"}};
+    static const std::vector<RelationValue> values{
+        {"r_one", 0, 1, "always 0"}, {"r_two", 0, 1, "always 0"}, {"r_three", 0, 1, "always 0"}};
     return values;
   }
   std::unique_ptr<Measure> bind(const Scene&) const override {
     struct Zero final : Measure {
-      void operator()(const SurfacePair&, std::span<double> values) const override { values[0] = 0; }
+      void operator()(const SurfacePair&, std::span<double> values) const override {
+        std::fill(values.begin(), values.end(), 0);
+      }
     };
     return std::make_unique<Zero>();
   }

@@ -23,9 +23,6 @@ namespace gestalt {
 struct Variant {
   std::string name;
   Config config;
-  /// Names of the relation values that a level keeps, in any order; all when absent. At least one.
-  std::optional<std::vector<std::string>> structural_values;
-  std::optional<std::vector<std::string>> assembly_values;
 };
 
 /// What variants are trained and evaluated on.
