@@ -20,6 +20,7 @@
 #include "gestalt/input.h"
 #include "gestalt/learning_set.h"
 #include "gestalt/output_file.h"
+#include "gestalt/plot.h"
 #include "pipeline_options.h"
 
 namespace gestalt::app {
@@ -71,6 +72,17 @@ Labels read_prediction(const Options& options, const std::string& scene, cv::Siz
                      " pixels, the ground truth of the scene " + std::to_string(size.width) + "x" +
                      std::to_string(size.height) + "; segment the image at its original size");
   return labels;
+}
+
+ReliabilityDiagram reliability(const std::map<std::string, PairDecisions>& pairs) {
+  ReliabilityDiagram diagram{"Reliability of the probabilities of held-out pairs", {}};
+  for (const auto& [level, decisions] : pairs) {
+    ReliabilitySeries series{level, {}};
+    for (const PairDecisions::Bin& bin : decisions.bins)
+      series.bins.push_back({bin.probability / double(bin.pairs), double(bin.positive) / double(bin.pairs), bin.pairs});
+    diagram.series.push_back(std::move(series));
+  }
+  return diagram;
 }
 
 /// The scenes with their scores, as far as they have come. An error of one scene does not stop the others.
@@ -222,6 +234,7 @@ int cross_validate(const Options& options) {
     const Labels ground_truth = read_ground_truth(evaluation.scenes[i]);
     evaluation.score(i, ground_truth, pipeline.decide(perceived[i].percept, models[std::size_t(fold[i])]));
   });
+  if (!options.output.empty()) write_files({{options.output / "reliability.svg", svg(reliability(pairs))}});
   return evaluation.report(config_name(options) + ", " + std::to_string(options.folds) + "-fold cross-validation",
                            pairs);
 }
@@ -273,7 +286,10 @@ void add_evaluate(CLI::App& app, Run& run) {
       ->needs(folds)
       ->type_name("SCENES");
   command.add_flag("--parts", options->parts, "Regions are the visible parts of objects, not whole objects");
-  command.add_option("--output", options->output, "Also write DIR/<scene>/labels.png and objects.png")
+  command
+      .add_option("--output", options->output,
+                  "Also write DIR/<scene>/labels.png and objects.png, and with --cross-validate "
+                  "the diagram DIR/reliability.svg")
       ->check(not_empty)
       ->excludes(predictions)
       ->type_name("DIR");

@@ -133,7 +133,8 @@ struct Square {
   double row(double value) const { return y + side * (1 - (value - low) / (1 - low)); }
 };
 
-void draw_square(Drawing& drawing, const ScatterPlot& plot, const Square& square) {
+/// Grid, numbers and frame.
+void draw_axes(Drawing& drawing, const Square& square) {
   constexpr int steps = 5;
   for (int i = 0; i <= steps; ++i) {
     const double value = square.low + (1 - square.low) * i / steps;
@@ -144,6 +145,10 @@ void draw_square(Drawing& drawing, const ScatterPlot& plot, const Square& square
     drawing.write(square.x - 6, square.row(value) + 4, label, "end", "small");
   }
   drawing.rectangle(square.x, square.y, square.side, square.side, "axis");
+}
+
+void draw_square(Drawing& drawing, const ScatterPlot& plot, const Square& square) {
+  draw_axes(drawing, square);
   drawing.write(square.x + square.side / 2, square.y + square.side + 34, plot.x_name, "middle");
   for (std::size_t s = 0; s < plot.series.size(); ++s)
     for (const auto& [x, y] : plot.series[s].points)
@@ -200,6 +205,46 @@ std::string svg(const ScatterPlot& plot) {
   draw_square(drawing, plot, {left, top, side, 0});
   draw_square(drawing, plot, {left + side + between, top, side, plot.zoom});
   return drawing.document(top + side + 46);
+}
+
+std::string svg(const ReliabilityDiagram& diagram) {
+  constexpr double side = 360, left = 60, width = left + side + 30, decade = 14;
+  Drawing drawing(width, diagram.title);
+  const double top = 18 + draw_legend(drawing, diagram.series, 12, width, 42);
+  const Square square{left, top, side, 0};
+  draw_axes(drawing, square);
+  drawing.write(left + side / 2, top + side + 34, "predicted probability", "middle");
+  drawing.write_upwards(18, top + side / 2, "share of positive pairs");
+  drawing.line(left, top + side, left + side, top, "axis");
+
+  std::int64_t most = 1;
+  for (const ReliabilitySeries& series : diagram.series)
+    for (const ReliabilityBin& bin : series.bins) most = std::max(most, bin.samples);
+  const int decades = 1 + int(std::log10(double(most)));
+  const double floor = top + side + 50 + decade * decades;
+  for (int i = 0; i <= decades; ++i) {
+    drawing.line(left, floor - decade * i, left + side, floor - decade * i, "grid");
+    drawing.write(left - 6, floor - decade * i + 4, i == 0 ? "1" : "10^" + std::to_string(i), "end", "small");
+  }
+  drawing.write_upwards(18, floor - decade * decades / 2, "pairs");
+  for (std::size_t s = 0; s < diagram.series.size(); ++s) {
+    const ReliabilitySeries& series = diagram.series[s];
+    const ReliabilityBin* last = nullptr;
+    for (const ReliabilityBin& bin : series.bins) {
+      if (bin.samples == 0) continue;
+      const double x = square.column(bin.probability), y = square.row(bin.positive);
+      if (last)
+        drawing.line(square.column(last->probability), square.row(last->positive), x, y, "l" + std::to_string(s % 3));
+      drawing.dot(x, y, colour(s),
+                  series.name + ": " + number_text(bin.probability, 3) + " predicted, " + number_text(bin.positive, 3) +
+                      " of " + std::to_string(bin.samples));
+      const double height = std::max(1.0, decade * std::log10(double(bin.samples)));
+      drawing.rectangle(x - 4 + 3 * double(s), floor - height, 3, height, colour(s));
+      last = &bin;
+    }
+  }
+  drawing.line(left, floor, left + side, floor, "axis");
+  return drawing.document(floor + 14);
 }
 
 std::string escape_xml(std::string_view text) {

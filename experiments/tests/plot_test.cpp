@@ -90,6 +90,19 @@ TEST(Scatter, ShowsEveryPointAndThoseOfTheCornerAgain) {
   EXPECT_EQ(count(document, "cx=\"580.0\" cy=\"60.0\""), 1);   // 0.95, 1: the middle of the right one's upper side
 }
 
+TEST(Reliability, ShowsBinsThatHaveSamples) {
+  const std::string document =
+      svg(ReliabilityDiagram{"Pairs", {{"structural", {{0.1, 0, 1000}, {NAN, NAN, 0}, {0.5, 0.5, 1}}}}});
+  expect_well_formed(document);
+  EXPECT_EQ(document.find("nan"), std::string::npos);
+  EXPECT_EQ(count(document, "<circle"), 2);
+  EXPECT_EQ(count(document, "cx=\"240.0\" cy=\"240.0\""), 1);  // 0.5, 0.5: on the diagonal, in the middle
+  EXPECT_EQ(count(document, "<line class=\"l0\""), 1);
+  EXPECT_EQ(count(document, "width=\"3.0\" height=\"42.0\""), 1);  // three decades of 1000 pairs
+  EXPECT_EQ(count(document, "width=\"3.0\" height=\"1.0\""), 1);   // one pair can be seen
+  expect_well_formed(svg(ReliabilityDiagram{}));
+}
+
 TEST(PlotText, IsEscaped) {
   const std::string evil = "</text><script>\"&'\x01";
   EXPECT_EQ(escape_xml(evil), "&lt;/text&gt;&lt;script&gt;&quot;&amp;&#39;\xEF\xBF\xBD");

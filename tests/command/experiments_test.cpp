@@ -15,12 +15,6 @@ namespace {
 
 namespace fs = std::filesystem;
 using nlohmann::json;
-using Texts = std::vector<std::string>;
-
-Texts joined(Texts first, const Texts& second) {
-  first.insert(first.end(), second.begin(), second.end());
-  return first;
-}
 
 /// Every finished file below a folder with its bytes. A killed run may leave a temporary file, which nothing reads.
 std::map<std::string, std::string> contents(const fs::path& folder) {

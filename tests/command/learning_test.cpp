@@ -88,6 +88,24 @@ TEST_F(Learning, CrossValidationNeedsNoModel) {
   EXPECT_GT(json::parse(first.out).at("held_out_pairs").at("structural").at("true_positive"), 0);
 }
 
+TEST_F(Learning, TheObjectImageIsScoredAsItIsWritten) {
+  const fs::path out = folder.path() / "held_out";
+  const Texts scored{"evaluate", synthetic_scenes(), "--image", "objects.png", "--json"};
+  const Outcome held_out =
+      run_gestalt(joined(scored, {"--cross-validate", "2", "--set", "model=none", "--output", out.string()}));
+  expect_success(held_out);
+  const Outcome files = run_gestalt(joined(scored, {"--predictions", out.string()}));
+  expect_success(files);
+  const json all = json::parse(held_out.out).at("all");
+  EXPECT_EQ(all, json::parse(files.out).at("all"));
+  EXPECT_GT(all.at("none:oF"), 0.5) << "background is 0, so that nothing needs to be dropped";
+  const std::string diagram = content(out / "reliability.svg");
+  EXPECT_EQ(occurrences("predicted probability", diagram), 1);
+  EXPECT_GE(occurrences("<circle", diagram), 2);
+  expect_refused(run_gestalt({"evaluate", synthetic_scenes(), "--image", "depth.png"}), 2,
+                 {"--image depth.png", "labels.png or objects.png"});
+}
+
 TEST_F(Learning, TheClassifierIsAConfigLine) {
   const std::string forest = "structural.classifier=random_forest";
   expect_success(run_gestalt({"train", synthetic_scenes(), "--output", model, "--set", forest}));

@@ -9,6 +9,14 @@
 
 namespace gestalt::test {
 
+using Texts = std::vector<std::string>;
+
+/// One list after the other.
+inline Texts joined(Texts first, const Texts& second) {
+  first.insert(first.end(), second.begin(), second.end());
+  return first;
+}
+
 /// How a run of the command ended.
 struct Outcome {
   int code = 0;  ///< exit code; of a signal 128 + its number
@@ -26,13 +34,13 @@ struct Surroundings {
 };
 
 /// Runs `gestalt arguments...` to its end.
-Outcome run_gestalt(const std::vector<std::string>& arguments, const Surroundings& surroundings = {});
+Outcome run_gestalt(const Texts& arguments, const Surroundings& surroundings = {});
 
 /// Expects success and nothing on stderr.
 void expect_success(const Outcome& outcome);
 
 /// Expects the exit code, nothing on stdout and one message on stderr, which holds all of the words.
-void expect_refused(const Outcome& outcome, int code, const std::vector<std::string>& words);
+void expect_refused(const Outcome& outcome, int code, const Texts& words);
 
 /// Number of times that a part occurs in a text.
 int occurrences(const std::string& part, const std::string& text);

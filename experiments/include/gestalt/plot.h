@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstdint>
 #include <string>
 #include <string_view>
 #include <vector>
@@ -49,6 +50,27 @@ struct ScatterPlot {
 };
 
 std::string svg(const ScatterPlot& plot);
+
+/// The samples whose probabilities fall in one bin.
+struct ReliabilityBin {
+  double probability;    ///< mean, in [0, 1]
+  double positive;       ///< share, in [0, 1]
+  std::int64_t samples;  ///< a bin without any is left out
+};
+
+struct ReliabilitySeries {
+  std::string name;
+  std::vector<ReliabilityBin> bins;  ///< by ascending probability
+};
+
+/// Share of positive samples over predicted probability, which is the diagonal for a calibrated classifier; below it
+/// the number of samples of each bin, on a logarithmic scale.
+struct ReliabilityDiagram {
+  std::string title;
+  std::vector<ReliabilitySeries> series;  ///< at most three
+};
+
+std::string svg(const ReliabilityDiagram& diagram);
 
 /// Text as it may stand in XML and HTML, in attributes too. What XML cannot hold at all (control characters) becomes
 /// U+FFFD.
