@@ -3,8 +3,6 @@
 
 #include "gestalt/evaluation.h"
 
-#include <tbb/parallel_for.h>
-
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -17,6 +15,7 @@
 #include "command.h"
 #include "gestalt/cross_validation.h"
 #include "gestalt/error.h"
+#include "gestalt/for_all.h"
 #include "gestalt/input.h"
 #include "gestalt/learning_set.h"
 #include "gestalt/output_file.h"
@@ -104,7 +103,7 @@ class Evaluation {
   /// Calls work(i) for every scene that has not failed, in parallel.
   template <class Work>
   void for_each_scene(const Work& work) {
-    tbb::parallel_for(std::size_t(0), scenes.size(), [&](std::size_t i) {
+    for_all(scenes.size(), [&](std::size_t i) {
       if (failed(i)) return;
       try {
         work(i);
@@ -214,8 +213,7 @@ int cross_validate(const Options& options) {
   const std::vector<fs::path> additional_scenes =
       options.additional.empty() ? std::vector<fs::path>{} : find_scenes(options.additional);
   std::vector<LearningScene> additional(additional_scenes.size());
-  tbb::parallel_for(std::size_t(0), additional.size(),
-                    [&](std::size_t i) { additional[i] = learning_scene(pipeline, additional_scenes[i]); });
+  for_all(additional.size(), [&](std::size_t i) { additional[i] = learning_scene(pipeline, additional_scenes[i]); });
 
   std::vector<LearningScene> perceived(evaluation.scenes.size());
   evaluation.for_each_scene([&](std::size_t i) { perceived[i] = learning_scene(pipeline, evaluation.scenes[i]); });

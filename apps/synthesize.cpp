@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <tbb/parallel_for.h>
-
 #include <filesystem>
 #include <iostream>
 #include <map>
@@ -11,6 +9,7 @@
 #include <vector>
 
 #include "command.h"
+#include "gestalt/for_all.h"
 #include "gestalt/scene_folder.h"
 #include "gestalt/synthesis.h"
 #include "pipeline_options.h"
@@ -45,10 +44,10 @@ int synthesize_scenes(const SynthesizeOptions& options) {
   write_camera(camera, folder);
 
   std::vector<std::string> names(std::size_t(options.count));
-  tbb::parallel_for(0, options.count, [&](int index) {
-    const SyntheticScene scene = index == 0 ? first : synthesize(category, options.seed, index, camera);
+  for_all(names.size(), [&](std::size_t i) {
+    const SyntheticScene scene = i == 0 ? first : synthesize(category, options.seed, int(i), camera);
     write_scene(scene, folder);
-    names[std::size_t(index)] = scene.frame.name;
+    names[i] = scene.frame.name;
   });
 
   std::map<std::string, std::string> categories;

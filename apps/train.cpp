@@ -1,13 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <tbb/parallel_for.h>
-
 #include <iomanip>
 #include <iostream>
 
 #include "command.h"
 #include "gestalt/error.h"
+#include "gestalt/for_all.h"
 #include "gestalt/input.h"
 #include "gestalt/learning_set.h"
 #include "pipeline_options.h"
@@ -48,8 +47,7 @@ int train(const Options& options) {
 
   // A scene that cannot be used ends the training: a model must not silently lack what it was asked to learn.
   std::vector<LearningScene> perceived(scenes.size());
-  tbb::parallel_for(std::size_t{0}, scenes.size(),
-                    [&](std::size_t i) { perceived[i] = perceive(pipeline, scenes[i]); });
+  for_all(scenes.size(), [&](std::size_t i) { perceived[i] = perceive(pipeline, scenes[i]); });
 
   std::vector<const LearningScene*> all;
   for (const LearningScene& scene : perceived) all.push_back(&scene);

@@ -3,7 +3,7 @@
 
 #include "gestalt/cross_validation.h"
 
-#include <tbb/parallel_for.h>
+#include "gestalt/for_all.h"
 
 namespace gestalt {
 
@@ -20,12 +20,12 @@ std::vector<Models> learn_folds(const Pipeline& pipeline, const std::vector<cons
                                 const std::vector<int>& fold, int folds,
                                 const std::vector<const LearningScene*>& additional) {
   std::vector<Models> models{std::size_t(folds)};
-  tbb::parallel_for(0, folds, [&](int held_out) {
+  for_all(models.size(), [&](std::size_t held_out) {
     std::vector<const LearningScene*> others;
     for (std::size_t i = 0; i < scenes.size(); ++i)
-      if (fold[i] != held_out && scenes[i]) others.push_back(scenes[i]);
+      if (fold[i] != int(held_out) && scenes[i]) others.push_back(scenes[i]);
     others.insert(others.end(), additional.begin(), additional.end());
-    models[std::size_t(held_out)] = learn(pipeline, others);
+    models[held_out] = learn(pipeline, others);
   });
   return models;
 }

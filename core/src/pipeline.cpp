@@ -8,6 +8,7 @@
 #include <limits>
 
 #include "gestalt/error.h"
+#include "isolated.h"
 
 namespace gestalt {
 
@@ -111,7 +112,13 @@ Models Pipeline::load_models() const {
                      assembly_ ? std::optional(expected_model(Level::assembly)) : std::nullopt);
 }
 
-Percept Pipeline::perceive(const Frame& given) const {
+Percept Pipeline::perceive(const Frame& frame) const {
+  Percept percept;
+  isolated([&] { percept = perceive_uncancelled(frame); });
+  return percept;
+}
+
+Percept Pipeline::perceive_uncancelled(const Frame& given) const {
   if (!given.has_colour())
     for (const NamedRelation& named : relations_)
       if (named.relation->needs_colour())

@@ -16,6 +16,7 @@
 
 #include "gestalt/contour.h"
 #include "gestalt/output_file.h"
+#include "isolated.h"
 
 namespace gestalt {
 
@@ -119,6 +120,8 @@ std::string point_labels(const Input& input, const cv::Mat_<std::uint16_t>& labe
 
 Json result_json(const Input& input, const Percept& percept, const Segmentation& segmentation, const LevelTimes& times,
                  const Json& config) {
+  Json patches;
+  isolated([&] { patches = patches_json(input.frame, percept.surfaces); });
   return {{"format", "gestalt-result"},
           {"version", 2},
           {"gestalt", GESTALT_VERSION},
@@ -126,7 +129,7 @@ Json result_json(const Input& input, const Percept& percept, const Segmentation&
           {"scene", input.frame.name},
           {"camera", camera_json(input.frame.camera)},
           {"segments", segments_json(segmentation)},
-          {"patches", patches_json(input.frame, percept.surfaces)},
+          {"patches", std::move(patches)},
           {"pairs", pairs_json(percept, segmentation.graph)},
           {"milliseconds",
            {{"signal", times.signal},

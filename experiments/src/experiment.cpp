@@ -11,9 +11,9 @@
 #include <mutex>
 #include <set>
 
-#include "for_all.h"
 #include "gestalt/error.h"
 #include "gestalt/feature_score.h"
+#include "gestalt/for_all.h"
 #include "gestalt/hash.h"
 #include "gestalt/input.h"
 #include "result_file.h"

@@ -5,8 +5,8 @@
 
 #include <optional>
 
-#include "for_all.h"
 #include "gestalt/error.h"
+#include "gestalt/for_all.h"
 #include "gestalt/hash.h"
 #include "gestalt/input.h"
 #include "whole_file.h"

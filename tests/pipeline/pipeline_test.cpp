@@ -7,6 +7,7 @@
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
+#include <tbb/parallel_for.h>
 
 #include <algorithm>
 #include <filesystem>
@@ -146,6 +147,22 @@ TEST(DefaultPipeline, RefusesAFrameWithoutColourWhenARelationNeedsIt) {
                                     "structural.relations.fourier=off", "structural.relations.border_colour=off"});
   EXPECT_GT(colourless.pipeline.perceive(frame).structural.pairs.size(), 0u);
   EXPECT_THROW(colourless.pipeline.load_models(), ModelError);
+}
+
+// A loop that is cancelled ends early without a sign; what the pipeline gives must be complete all the same.
+TEST(DefaultPipeline, IsCompleteInAGroupThatIsCancelled) {
+  const DefaultPipeline gestalt;
+  const Models models = gestalt.pipeline.load_models();
+  const Frame frame = scene(Category::mixed_objects).frame;
+  const Outcome undisturbed = run(gestalt.pipeline, models, frame);
+  tbb::task_group_context group;
+  tbb::parallel_for(
+      0, 1,
+      [&](int) {
+        group.cancel_group_execution();
+        expect_equal(run(gestalt.pipeline, models, frame), undisturbed);
+      },
+      group);
 }
 
 TEST(DefaultModel, LearntFromRealAndSyntheticScenes) {

@@ -65,7 +65,7 @@ class GESTALT_EXPORT Pipeline {
   Models load_models() const;
 
   /// Signal and primitive level, and the relations of all levels. Throws InputError when a relation needs colour and
-  /// the frame has none.
+  /// the frame has none. A TBB group in which this is called does not cancel it.
   Percept perceive(const Frame& frame) const;
 
   /// Group of each surface by the structural level alone, numbered from 0. model must be as expected_model() says.
@@ -95,6 +95,7 @@ class GESTALT_EXPORT Pipeline {
   std::optional<Grouping> assembly_;
   std::shared_ptr<const Solver> solver_;
   FigureGroundParams figure_ground_;
+  Percept perceive_uncancelled(const Frame& frame) const;
   Graph structural_graph(const Percept& percept, const Model& model) const;
 };
 
