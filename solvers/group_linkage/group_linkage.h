@@ -19,7 +19,7 @@ class GroupLinkage final : public Solver {
  public:
   struct Params {
     double k = 0.5;            ///< of graph_cut, structural level
-    double probability = 0.7;  ///< smallest mean p(same) that joins two groups
+    double probability = 0.72;  ///< smallest mean p(same) that joins two groups
   };
   static const Parameters<Params>& parameters();
 

@@ -40,7 +40,7 @@ TEST_F(Ablation, ScoresOfVariantsAreThoseOfTheirOwnRuns) {
       ablate({"--each", "structural.relations", "--grid", "structural.minimum_size=30,90", "--json"});
   expect_success(outcome);
   const json variants = json::parse(outcome.out).at("variants");
-  EXPECT_EQ(variants.size(), 11u);
+  EXPECT_EQ(variants.size(), 12u);
   const auto expect_like = [&](const std::string& name, const Texts& overrides) {
     Texts arguments{"evaluate", synthetic_scenes(), "--cross-validate", "2", "--json"};
     for (const std::string& text : overrides) arguments = joined(arguments, {"--set", text});

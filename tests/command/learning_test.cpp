@@ -112,7 +112,7 @@ TEST_F(Learning, TheClassifierIsAConfigLine) {
   const std::string setting = "model=" + model.string();
   expect_success(run_gestalt({"evaluate", synthetic_scenes(), "--set", forest, "--set", setting, "--json"}));
   expect_refused(run_gestalt({"evaluate", synthetic_scenes(), "--set", setting}), 2,
-                 {model.string(), "random_forest", "svm"});
+                 {model.string(), "random_forest", "committee"});
 }
 
 TEST_F(Learning, AnAblatedRelationNeedsAModelOfItsOwn) {
