@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Whole frames through the default pipeline, without reading or writing files: milliseconds by level, start-up time and
+// Whole frames through a pipeline, without reading or writing files: milliseconds by level, start-up time and
 // peak memory. The figures of docs/benchmarks.md come from here.
 
 #include <sys/resource.h>
@@ -48,8 +48,10 @@ void for_each_frame(const std::vector<std::filesystem::path>& scenes,
 int main(int argc, char** argv) try {
   CLI::App app{"Times whole frames, by level"};
   std::vector<std::filesystem::path> scenes;
+  std::filesystem::path config;
   int threads = 2, repeats = 3;
   app.add_option("scenes", scenes, "Scene folders (default: ten synthetic complex scenes)");
+  app.add_option("--config", config, "Config file (default: the installed default.yaml)");
   app.add_option("--threads", threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
   app.add_option("--repeats", repeats, "Runs of each frame")->check(CLI::Range(1, 1000))->capture_default_str();
   CLI11_PARSE(app, argc, argv);
@@ -58,7 +60,7 @@ int main(int argc, char** argv) try {
   const tbb::global_control limit(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
   cv::setNumThreads(threads);
   const auto start = Clock::now();
-  const gestalt::ConfigTree tree(gestalt::default_config(), {});
+  const gestalt::ConfigTree tree(config.empty() ? gestalt::default_config() : config, {});
   const gestalt::Registry registry(gestalt::plugin_search_path(tree.plugin_directories()));
   const gestalt::Pipeline pipeline(tree.resolve(registry), registry);
   const gestalt::Models models = pipeline.load_models();
