@@ -22,8 +22,8 @@ struct ComponentDraft {
   std::optional<Node> plugin;  ///< scalar
   Settings params;
   std::optional<Node> values;  ///< of a relation: a list of scalars, or the scalar all
-  bool on = true;  ///< one that is off keeps its position and params, so that 'on' brings it back as it was
-  Place place;     ///< of the last layer that names it; no source before the first
+  bool on = true;              ///< one that is off keeps its position and params, so that 'on' brings it back as it was
+  Place place;                 ///< of the last layer that names it; no source before the first
 };
 
 struct ComponentListDraft {

@@ -18,7 +18,7 @@ namespace gestalt {
 class GroupLinkage final : public Solver {
  public:
   struct Params {
-    double k = 0.5;            ///< of graph_cut, structural level
+    double k = 0.5;             ///< of graph_cut, structural level
     double probability = 0.72;  ///< smallest mean p(same) that joins two groups
   };
   static const Parameters<Params>& parameters();
