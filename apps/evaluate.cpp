@@ -200,6 +200,7 @@ LearningScene learning_scene(const Pipeline& pipeline, const fs::path& scene) {
 
 std::vector<const LearningScene*> pointers(const std::vector<LearningScene>& scenes) {
   std::vector<const LearningScene*> all;
+  all.reserve(scenes.size());
   for (const LearningScene& scene : scenes) all.push_back(&scene);
   return all;
 }

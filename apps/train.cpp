@@ -50,6 +50,7 @@ int train(const Options& options) {
   for_all(scenes.size(), [&](std::size_t i) { perceived[i] = perceive(pipeline, scenes[i]); });
 
   std::vector<const LearningScene*> all;
+  all.reserve(perceived.size());
   for (const LearningScene& scene : perceived) all.push_back(&scene);
   const Models models = learn(pipeline, all);
   write_models(options.output, models);

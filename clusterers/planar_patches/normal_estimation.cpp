@@ -8,8 +8,10 @@
 
 #include <Eigen/Eigenvalues>
 #include <algorithm>
+#include <array>
 #include <cmath>
-#include <vector>
+
+#include "neighbour_moments.h"
 
 namespace gestalt {
 
@@ -45,56 +47,92 @@ Smallest smallest_eigenpair(const Eigen::Matrix3f& m) {
 constexpr float edge_on = 1e-4f;  // cosine of ray and normal below which a camera sees no surface, only noise
 constexpr int full_window = 8;    // px; of larger radii only every second, third, ... row and column is looked at
 
+class Estimation {
+ public:
+  Estimation(const Frame& frame, const Tolerances& tolerances)
+      : frame_(frame),
+        tolerances_(tolerances),
+        points_(frame.points),
+        map_{cv::Mat_<cv::Vec3f>(frame.depth.size(), cv::Vec3f()), cv::Mat_<float>(frame.depth.size(), 1.f)} {}
+
+  NormalMap run() {
+    tbb::parallel_for(tbb::blocked_range<int>(0, frame_.height(), 8), [&](const tbb::blocked_range<int>& rows) {
+      for (int v = rows.begin(); v < rows.end(); ++v)
+        for (int u = 0; u < frame_.width(); u += wide_lanes) estimate_lanes(u, v);
+    });
+    return std::move(map_);
+  }
+
+ private:
+  /// Of the pixels from (u, v) on that are in the image and have depth. Those of equal windows are summed together.
+  void estimate_lanes(int u, int v) {
+    std::array<int, wide_lanes> radius{};  // 0: done, or nothing to do
+    WideFloats reach{};
+    for (int i = 0; i < std::min(wide_lanes, frame_.width() - u); ++i)
+      if (const float z = frame_.depth(v, u + i); z > 0) {
+        radius[std::size_t(i)] = tolerances_.window_radius(z);
+        reach[i] = tolerances_.squared_reach(z);
+      }
+    for (int i = 0; i < wide_lanes; ++i) {
+      const int own = radius[std::size_t(i)];
+      if (own == 0) continue;
+      if (u < own || u + wide_lanes + own > frame_.width()) {  // a window, or the lanes, leave the image
+        NeighbourMoments<float> moments;
+        sum_neighbours(points_, u + i, v, window(u + i, v, own), reach[i], moments);
+        set_normal(u + i, v, moments);
+        continue;
+      }
+      NeighbourMoments<WideFloats> moments;
+      sum_neighbours(points_, u, v, window(u, v, own), reach, moments);
+      for (int k = i; k < wide_lanes; ++k)
+        if (radius[std::size_t(k)] == own) {
+          set_normal(u + k, v, lane(moments, k));
+          radius[std::size_t(k)] = 0;
+        }
+    }
+  }
+
+  NeighbourWindow window(int u, int v, int radius) const {
+    // Noise is shared by neighbouring pixels: of a large window a sample tells as much.
+    const int step = 1 + (radius - 1) / full_window;
+    const auto first = [&](int room) { return -(std::min(radius, room) / step * step); };
+    return {first(u), std::min(radius, frame_.width() - 1 - u), first(v), std::min(radius, frame_.height() - 1 - v),
+            step};
+  }
+
+  static NeighbourMoments<float> lane(const NeighbourMoments<WideFloats>& m, int i) {
+    return {m.n[i], m.x[i], m.y[i], m.w[i], m.xx[i], m.xy[i], m.xw[i], m.yy[i], m.yw[i], m.ww[i]};
+  }
+
+  void set_normal(int u, int v, const NeighbourMoments<float>& m) {
+    if (m.n < 3) return;
+    const float i = 1 / m.n;
+    Eigen::Matrix3f covariance;
+    covariance << m.xx - m.x * m.x * i, m.xy - m.x * m.y * i, m.xw - m.x * m.w * i, m.xy - m.x * m.y * i,
+        m.yy - m.y * m.y * i, m.yw - m.y * m.w * i, m.xw - m.x * m.w * i, m.yw - m.y * m.w * i, m.ww - m.w * m.w * i;
+    const float total = covariance.trace();
+    if (!(total > 0)) return;
+    // Scaled to a trace of 1: float32 then has room for the cubes of the closed form.
+    const Smallest smallest = smallest_eigenpair(covariance / total);
+    if (smallest.vector.isZero()) return;
+    const Eigen::Vector3f ray = frame_.point(v * frame_.width() + u);
+    const float along = smallest.vector.dot(ray);
+    if (std::abs(along) < edge_on * ray.norm()) return;
+    const float towards = along > 0 ? -1.f : 1.f;
+    map_.normals(v, u) = {towards * smallest.vector.x(), towards * smallest.vector.y(), towards * smallest.vector.z()};
+    map_.curvature(v, u) = std::clamp(smallest.value, 0.f, 1.f / 3);
+  }
+
+  const Frame& frame_;
+  const Tolerances& tolerances_;
+  const PointPlanes points_;
+  NormalMap map_;
+};
+
 }  // namespace
 
 NormalMap estimate_normals(const Frame& frame, const Tolerances& tolerances) {
-  NormalMap map{cv::Mat_<cv::Vec3f>(frame.depth.size(), cv::Vec3f()), cv::Mat_<float>(frame.depth.size(), 1.f)};
-  const int width = frame.width(), height = frame.height();
-
-  tbb::parallel_for(tbb::blocked_range<int>(0, height, 8), [&](const tbb::blocked_range<int>& rows) {
-    for (int v = rows.begin(); v < rows.end(); ++v)
-      for (int u = 0; u < width; ++u) {
-        const float z = frame.depth(v, u);
-        if (!(z > 0)) continue;
-        const cv::Vec3f& p = frame.points(v, u);
-        const int radius = tolerances.window_radius(z);
-        // Noise is shared by neighbouring pixels: of a large window a sample tells as much.
-        const int step = 1 + (radius - 1) / full_window;
-        const float reach = tolerances.squared_reach(z);
-        float n = 0, x = 0, y = 0, w = 0, xx = 0, xy = 0, xw = 0, yy = 0, yw = 0, ww = 0;
-        const int first_du = -(std::min(radius, u) / step * step), last_du = std::min(radius, width - 1 - u);
-        for (int dv = -(std::min(radius, v) / step * step); dv <= std::min(radius, height - 1 - v); dv += step) {
-          const cv::Vec3f* row = frame.points[v + dv] + u;
-          for (int du = first_du; du <= last_du; du += step) {
-            const float dx = row[du][0] - p[0], dy = row[du][1] - p[1], dz = row[du][2] - p[2];
-            // A pixel without depth is the origin: at least z away, and so out of reach.
-            const float counts = dx * dx + dy * dy + dz * dz <= reach * float(du * du + dv * dv) ? 1.f : 0.f;
-            n += counts;
-            x += counts * dx, y += counts * dy, w += counts * dz;
-            xx += counts * dx * dx, xy += counts * dx * dy, xw += counts * dx * dz;
-            yy += counts * dy * dy, yw += counts * dy * dz, ww += counts * dz * dz;
-          }
-        }
-        if (n < 3) continue;
-        const float i = 1 / n;
-        Eigen::Matrix3f covariance;
-        covariance << xx - x * x * i, xy - x * y * i, xw - x * w * i, xy - x * y * i, yy - y * y * i, yw - y * w * i,
-            xw - x * w * i, yw - y * w * i, ww - w * w * i;
-        const float total = covariance.trace();
-        if (!(total > 0)) continue;
-        // Scaled to a trace of 1: float32 then has room for the cubes of the closed form.
-        const Smallest smallest = smallest_eigenpair(covariance / total);
-        if (smallest.vector.isZero()) continue;
-        const Eigen::Vector3f ray(p[0], p[1], p[2]);
-        const float along = smallest.vector.dot(ray);
-        if (std::abs(along) < edge_on * ray.norm()) continue;
-        const float towards = along > 0 ? -1.f : 1.f;
-        map.normals(v, u) = {towards * smallest.vector.x(), towards * smallest.vector.y(),
-                             towards * smallest.vector.z()};
-        map.curvature(v, u) = std::clamp(smallest.value, 0.f, 1.f / 3);
-      }
-  });
-  return map;
+  return Estimation(frame, tolerances).run();
 }
 
 }  // namespace gestalt

@@ -3,8 +3,11 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
 #include <cmath>
+#include <random>
 
+#include "neighbour_moments.h"
 #include "normal_estimation.h"
 #include "patch_growing.h"
 #include "patch_refinement.h"
@@ -67,6 +70,37 @@ TEST(NormalEstimation, OfAPlaneAreItsNormal) {
   EXPECT_LT(map.curvature(240, 270), 1e-4f);
   EXPECT_GT(map.curvature(240, 320), 1e-2f);
   EXPECT_EQ(map.curvature(0, 0), 1.f);
+}
+
+// What lanes sum together is what each pixel sums alone, to the last bit.
+TEST(NeighbourMoments, OfLanesAreThoseOfEachPixel) {
+  std::mt19937 random(7);
+  const auto uniform = [&] { return float(random()) / float(std::mt19937::max()); };
+  cv::Mat_<cv::Vec3f> points(40, 60, cv::Vec3f());
+  for (int v = 0; v < points.rows; ++v)
+    for (int u = 0; u < points.cols; ++u) {
+      const float z = (u < 30 ? 1.f : 1.3f) + 0.01f * uniform();
+      if (uniform() < 0.9f) points(v, u) = {(float(u) - 30) * z / 525, (float(v) - 20) * z / 525, z};
+    }
+  const PointPlanes planes(points);
+  for (const NeighbourWindow& window : {NeighbourWindow{-3, 3, -3, 3, 1}, NeighbourWindow{-9, 9, -8, 6, 2}})
+    for (int v = 10; v < 30; ++v)
+      for (int u = 10; u < 40; u += 3) {
+        WideFloats reach{};
+        for (int i = 0; i < wide_lanes; ++i) reach[i] = 1e-5f * (1 + uniform());
+        NeighbourMoments<WideFloats> together;
+        sum_neighbours(planes, u, v, window, reach, together);
+        for (int i = 0; i < wide_lanes; ++i) {
+          NeighbourMoments<float> alone;
+          sum_neighbours(planes, u + i, v, window, reach[i], alone);
+          const auto values = [i](const auto& m, auto at) {
+            return std::array{at(m.n, i),  at(m.x, i),  at(m.y, i),  at(m.w, i),  at(m.xx, i),
+                              at(m.xy, i), at(m.xw, i), at(m.yy, i), at(m.yw, i), at(m.ww, i)};
+          };
+          EXPECT_EQ(values(together, [](const WideFloats& m, int k) -> float { return m[k]; }),
+                    values(alone, [](float m, int) { return m; }));
+        }
+      }
 }
 
 TEST(NormalEstimation, DoNotCrossADepthJump) {

@@ -52,7 +52,7 @@ class Layer {
   }
 
  private:
-  Key section(const char* name, std::vector<Key> keys) {
+  Key section(const char* name, const std::vector<Key>& keys) {
     return {name, [this, keys](const Node& n, const std::string& p) { read_mapping(n, p, keys); }};
   }
   Key level(const char* name, LevelDraft& into) {
@@ -84,6 +84,7 @@ class Layer {
       return;
     }
     std::vector<std::string> names;
+    names.reserve(keys.size());
     for (const Key& key : keys) names.push_back(key.name);
     for (const Entry& entry : node.entries)
       if (std::find(names.begin(), names.end(), entry.key) == names.end())

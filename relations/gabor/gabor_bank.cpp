@@ -9,9 +9,12 @@
 #include <algorithm>
 #include <cmath>
 #include <cstddef>
+#include <cstring>
 #include <functional>
 #include <numbers>
 #include <opencv2/core/hal/intrin.hpp>
+
+#include "gestalt/wide.h"
 
 namespace gestalt {
 
@@ -172,30 +175,31 @@ struct Taps {
 };
 
 /// Sums of f(x + d) even(d) and of f(x + d) odd(d), over d = -radius..radius, at a block of neighbouring x.
-inline void filter_block(const float* f, const Taps& taps, const Factor& factor, float* even_sum, float* odd_sum) {
-  cv::v_float32x4 even[block / lanes], odd[block / lanes];
-  const cv::v_float32x4 centre = cv::v_setall_f32(factor.even[0]);
-  for (int l = 0; l < block / lanes; ++l) {
-    even[l] = cv::v_load(f + l * lanes) * centre;
-    odd[l] = cv::v_setzero_f32();
+GESTALT_WIDE void filter_block(const float* f, const Taps& taps, const Factor& factor, float* even_sum,
+                               float* odd_sum) {
+  constexpr int parts = block / wide_lanes;
+  const auto load = [](const float* from, WideFloats& to) { std::memcpy(&to, from, sizeof to); };
+  WideFloats even[parts], odd[parts];
+  for (int l = 0; l < parts; ++l) {
+    load(f + l * wide_lanes, even[l]);
+    even[l] *= factor.even[0];
+    odd[l] = WideFloats{};
   }
   const std::size_t end = factor.even.size();
   for (std::size_t d = 1; d < end; ++d) {
     const float* forward = f + taps.forward[d];
     const float* backward = f + taps.backward[d];
-    const cv::v_float32x4 e = cv::v_setall_f32(factor.even[d]);
-    const cv::v_float32x4 o = cv::v_setall_f32(factor.odd[d]);
-    for (int l = 0; l < block / lanes; ++l) {
-      const cv::v_float32x4 p = cv::v_load(forward + l * lanes);
-      const cv::v_float32x4 m = cv::v_load(backward + l * lanes);
-      even[l] = cv::v_fma(p + m, e, even[l]);
-      odd[l] = cv::v_fma(p - m, o, odd[l]);
+    const float e = factor.even[d], o = factor.odd[d];
+    for (int l = 0; l < parts; ++l) {
+      WideFloats p, m;
+      load(forward + l * wide_lanes, p);
+      load(backward + l * wide_lanes, m);
+      even[l] += (p + m) * e;
+      odd[l] += (p - m) * o;
     }
   }
-  for (int l = 0; l < block / lanes; ++l) {
-    cv::v_store(even_sum + l * lanes, even[l]);
-    cv::v_store(odd_sum + l * lanes, odd[l]);
-  }
+  std::memcpy(even_sum, even, sizeof even);
+  std::memcpy(odd_sum, odd, sizeof odd);
 }
 
 /// Magnitudes of a kernel and its mirror image: | (a + i b) (c +- i s) | from the four products' sums over a block.

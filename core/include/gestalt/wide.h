@@ -1,0 +1,23 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+/// Before a function: it is compiled a second time for processors with wider registers (AVX2), and the right one is
+/// taken when the program starts. Not with FMA, which rounds otherwise: results are the same to the last bit on every
+/// processor. A sanitizer's start-up is not ready for that choice, and clang does not build it into plugins.
+#if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
+    !defined(__SANITIZE_THREAD__)
+#define GESTALT_WIDE __attribute__((target_clones("avx2", "default")))
+#else
+#define GESTALT_WIDE
+#endif
+
+namespace gestalt {
+
+constexpr int wide_lanes = 8;
+
+/// Floats on which + - * and comparisons work lane by lane. Passed by reference: how it goes by value differs between
+/// the two compilations.
+using WideFloats = float __attribute__((vector_size(sizeof(float) * wide_lanes)));
+
+}  // namespace gestalt
