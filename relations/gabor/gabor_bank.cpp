@@ -98,7 +98,7 @@ struct Grid {
     for (int row = 0; row < int(runs.size()); ++row) {
       const int* labels = surfaces.labels[row * stride];
       for (int column = 0; column * stride < surfaces.labels.cols; ++column)
-        if (const int label = labels[column * stride]) add(label - 1, row, column);
+        if (const int label = labels[std::ptrdiff_t(column) * stride]) add(label - 1, row, column);
     }
     for (std::size_t i = 0; i < counts.size(); ++i) {
       if (counts[i] != 0) continue;
@@ -177,10 +177,10 @@ struct Taps {
 /// Sums of f(x + d) even(d) and of f(x + d) odd(d), over d = -radius..radius, at a block of neighbouring x.
 GESTALT_WIDE void filter_block(const float* f, const Taps& taps, const Factor& factor, float* even_sum,
                                float* odd_sum) {
-  constexpr int parts = block / wide_lanes;
+  constexpr std::size_t parts = block / wide_lanes;
   const auto load = [](const float* from, WideFloats& to) { std::memcpy(&to, from, sizeof to); };
   WideFloats even[parts], odd[parts];
-  for (int l = 0; l < parts; ++l) {
+  for (std::size_t l = 0; l < parts; ++l) {
     load(f + l * wide_lanes, even[l]);
     even[l] *= factor.even[0];
     odd[l] = WideFloats{};
@@ -190,7 +190,7 @@ GESTALT_WIDE void filter_block(const float* f, const Taps& taps, const Factor& f
     const float* forward = f + taps.forward[d];
     const float* backward = f + taps.backward[d];
     const float e = factor.even[d], o = factor.odd[d];
-    for (int l = 0; l < parts; ++l) {
+    for (std::size_t l = 0; l < parts; ++l) {
       WideFloats p, m;
       load(forward + l * wide_lanes, p);
       load(backward + l * wide_lanes, m);
@@ -254,7 +254,7 @@ class RowFilter {
         image_(image),
         columns_(rounded_up(columns, block)),
         vertical_(std::size_t(2 * image.row_length()) * std::size_t(bank.directions / 2 + 1)),
-        magnitude_(std::size_t(columns_ * bank.directions)) {}
+        magnitude_(std::size_t(columns_) * std::size_t(bank.directions)) {}
 
   void operator()(const Scale& scale, int row) {
     const float* pixels = image_.grid_row(row);
@@ -276,10 +276,10 @@ class RowFilter {
   }
 
   /// The last result, by grid column from the grid's first one.
-  const float* magnitude(int direction) const { return &magnitude_[std::size_t(direction * columns_)]; }
+  const float* magnitude(int direction) const { return &magnitude_[std::size_t(direction) * std::size_t(columns_)]; }
 
  private:
-  float* result(int direction) { return &magnitude_[std::size_t(direction * columns_)]; }
+  float* result(int direction) { return &magnitude_[std::size_t(direction) * std::size_t(columns_)]; }
   float* real(std::size_t n) { return &vertical_[2 * n * std::size_t(image_.row_length())]; }
   float* imaginary(std::size_t n) { return real(n) + image_.row_length(); }
 
@@ -314,7 +314,7 @@ std::vector<GaborDescriptor> describe(const GaborBank& bank, const cv::Mat& grey
       [&](const tbb::blocked_range<int>& rows, Sums partial) {
         RowFilter filter(bank, image, grid.box.width);
         for (int row = rows.begin(); row < rows.end(); ++row) {
-          const std::vector<Run>& runs = grid.runs[std::size_t(grid.box.y + row)];
+          const std::vector<Run>& runs = grid.runs[std::size_t(grid.box.y) + std::size_t(row)];
           if (runs.empty()) continue;
           for (std::size_t i = 0; i < scales.size(); ++i) {
             filter(scales[i], row);
