@@ -13,9 +13,10 @@ namespace gestalt {
 /// Points and normals of a frame by row-major pixel index. Keeps references.
 class PixelGrid {
  public:
-  PixelGrid(const Frame& frame, const NormalMap& normals) : frame_(frame), normals_(normals) {}
+  PixelGrid(const Frame& frame, const NormalMap& normals)
+      : frame_(frame), normals_(normals), width_(frame.width()), size_(int(frame.depth.total())) {}
 
-  int size() const { return int(frame_.depth.total()); }
+  int size() const { return size_; }
   bool valid(int pixel) const { return frame_.valid(pixel); }
   float depth(int pixel) const { return frame_.depth.ptr<float>()[pixel]; }
   Eigen::Vector3f point(int pixel) const { return frame_.point(pixel); }
@@ -30,16 +31,18 @@ class PixelGrid {
   /// Calls f with the pixels to the left, right, above and below, as far as the image goes.
   template <class F>
   void for_neighbours_4(int pixel, F f) const {
-    const int width = frame_.width(), u = pixel % width;
+    const int u = pixel % width_;
     if (u > 0) f(pixel - 1);
-    if (u + 1 < width) f(pixel + 1);
-    if (pixel >= width) f(pixel - width);
-    if (pixel + width < size()) f(pixel + width);
+    if (u + 1 < width_) f(pixel + 1);
+    if (pixel >= width_) f(pixel - width_);
+    if (pixel + width_ < size_) f(pixel + width_);
   }
 
  private:
   const Frame& frame_;
   const NormalMap& normals_;
+  const int width_;
+  const int size_;
 };
 
 }  // namespace gestalt

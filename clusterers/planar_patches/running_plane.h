@@ -22,8 +22,9 @@ struct RunningPlane {
     count += 1;
   }
   void update() {
-    normal = normal_sum.normalized().cast<float>();
-    offset = -float(normal_sum.normalized().dot(point_sum) / count);
+    const Eigen::Vector3d direction = normal_sum.normalized();
+    normal = direction.cast<float>();
+    offset = -float(direction.dot(point_sum) / count);
   }
   void add(const Eigen::Vector3f& point, const Eigen::Vector3f& n) {
     sum(point, n);
