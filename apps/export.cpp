@@ -42,6 +42,13 @@ struct Storage {
     bytes += surface.bytes();
     squared_error += double(surface.points) * surface.rms * surface.rms;
   }
+  void add(const Storage& other) {
+    points += other.points;
+    planes += other.planes;
+    bsplines += other.bsplines;
+    bytes += other.bytes;
+    squared_error += other.squared_error;
+  }
   std::size_t raw_bytes() const { return 12 * points; }
   double ratio() const { return bytes ? double(raw_bytes()) / double(bytes) : 0; }
   double rms() const { return points ? std::sqrt(squared_error / double(points)) : 0; }
@@ -166,11 +173,7 @@ int export_surfaces(const Options& options) {
   Storage total;
   for (const Object& object : objects) {
     print("segment " + std::to_string(object.label), object.storage);
-    total.points += object.storage.points;
-    total.planes += object.storage.planes;
-    total.bsplines += object.storage.bsplines;
-    total.bytes += object.storage.bytes;
-    total.squared_error += object.storage.squared_error;
+    total.add(object.storage);
   }
   print("all " + std::to_string(objects.size()), total);
   return success;

@@ -55,18 +55,13 @@ const Parameters<Committee::Params>& Committee::parameters() {
 }
 
 std::unique_ptr<Predictor> Committee::train(const Samples& samples) const {
-  Svm::Params svm;
-  svm.cost = params_.cost;
-  svm.gamma = params_.gamma;
-  svm.class_weights = params_.class_weights;
-  svm.seed = params_.seed;
-  RandomForest::Params forest;
-  forest.trees = params_.trees;
-  forest.depth = params_.depth;
-  forest.minimum_samples = params_.minimum_samples;
-  forest.seed = params_.seed;
-  return std::make_unique<CommitteePredictor>(params_.svm_share, Svm(svm).train(samples),
-                                              RandomForest(forest).train(samples));
+  const Svm svm(
+      {.cost = params_.cost, .gamma = params_.gamma, .class_weights = params_.class_weights, .seed = params_.seed});
+  const RandomForest forest({.trees = params_.trees,
+                             .depth = params_.depth,
+                             .minimum_samples = params_.minimum_samples,
+                             .seed = params_.seed});
+  return std::make_unique<CommitteePredictor>(params_.svm_share, svm.train(samples), forest.train(samples));
 }
 
 std::unique_ptr<Predictor> Committee::restore(const nlohmann::json& state, std::size_t columns) const {

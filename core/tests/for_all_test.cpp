@@ -7,9 +7,11 @@
 #include <tbb/parallel_for.h>
 
 #include <atomic>
+#include <chrono>
 #include <numeric>
 #include <stdexcept>
 #include <string>
+#include <thread>
 
 namespace gestalt {
 namespace {
@@ -37,17 +39,30 @@ TEST(ForAll, ThrowsTheFirstErrorByIndex) {
   }
 }
 
-// A loop within work that is going on when another item fails is not cut short.
+// The second item fails while the loop of the first is going on, which must not cut that short. (tbb::parallel_for
+// would.)
 TEST(ForAll, AnErrorDoesNotCutTheLoopsOfOthersShort) {
-  for (int run = 0; run < 20; ++run)
-    EXPECT_THROW(for_all(4,
-                         [](std::size_t i) {
-                           if (i == 3) throw std::runtime_error("3");
-                           std::atomic<int> sum = 0;
-                           tbb::parallel_for(0, 20000, [&](int) { ++sum; });
-                           EXPECT_EQ(sum, 20000);
-                         }),
-                 std::runtime_error);
+  std::atomic<bool> going_on = false, failed = false;
+  const auto deadline = std::chrono::steady_clock::now() + std::chrono::seconds(2);  // one thread would wait for itself
+  const auto wait_for = [&](const std::atomic<bool>& event) {
+    while (!event && std::chrono::steady_clock::now() < deadline) std::this_thread::yield();
+  };
+  std::atomic<int> done = 0;
+  const auto work = [&](std::size_t i) {
+    if (i == 1) {
+      wait_for(going_on);
+      failed = true;
+      throw std::runtime_error("1");
+    }
+    tbb::parallel_for(0, 100, [&](int) {
+      going_on = true;
+      wait_for(failed);
+      std::this_thread::sleep_for(std::chrono::milliseconds(1));
+      ++done;
+    });
+  };
+  EXPECT_THROW(for_all(2, work), std::runtime_error);
+  EXPECT_EQ(done, 100);
 }
 
 }  // namespace

@@ -3,8 +3,9 @@
 #pragma once
 
 /// Before a function: it is compiled a second time for processors with wider registers (AVX2), and the right one is
-/// taken when the program starts. Not with FMA, which rounds otherwise: results are the same to the last bit on every
-/// processor. A sanitizer's start-up is not ready for that choice, and clang does not build it into plugins.
+/// taken when the library is loaded. Not with FMA, which rounds otherwise: results are the same to the last bit on
+/// every x86-64 processor. With other compilers and under sanitizers, whose start-up is not ready for that choice,
+/// there is one compilation.
 #if defined(__x86_64__) && defined(__GNUC__) && !defined(__clang__) && !defined(__SANITIZE_ADDRESS__) && \
     !defined(__SANITIZE_THREAD__)
 #define GESTALT_WIDE __attribute__((target_clones("avx2", "default")))
