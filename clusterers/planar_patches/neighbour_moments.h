@@ -2,18 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <array>
-#include <opencv2/core.hpp>
-
-#include "gestalt/wide.h"
+#include "vector_planes.h"
 
 namespace gestalt {
-
-/// The points of a frame, a plane for each coordinate: neighbouring pixels are loaded together.
-struct PointPlanes {
-  explicit PointPlanes(const cv::Mat_<cv::Vec3f>& points);
-  std::array<cv::Mat_<float>, 3> coordinates;  ///< metres; 0 without depth
-};
 
 /// The neighbourhood of a pixel: every step-th row and column within [first, last], relative to it.
 struct NeighbourWindow {
@@ -30,11 +21,11 @@ struct NeighbourMoments {
 
 /// Pixels of the window around (u, v), all in the image, that lie within reach: nearer than sqrt(squared_reach) times
 /// their distance in pixels. A pixel without depth is the origin, and so out of reach.
-void sum_neighbours(const PointPlanes& points, int u, int v, const NeighbourWindow& window, const float& squared_reach,
+void sum_neighbours(const VectorPlanes& points, int u, int v, const NeighbourWindow& window, const float& squared_reach,
                     NeighbourMoments<float>& moments);
 
 /// The same of the pixels (u, v) to (u + wide_lanes - 1, v), to the last bit.
-void sum_neighbours(const PointPlanes& points, int u, int v, const NeighbourWindow& window,
+void sum_neighbours(const VectorPlanes& points, int u, int v, const NeighbourWindow& window,
                     const WideFloats& squared_reach, NeighbourMoments<WideFloats>& moments);
 
 }  // namespace gestalt

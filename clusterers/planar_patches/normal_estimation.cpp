@@ -6,46 +6,16 @@
 #include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <array>
-#include <cmath>
 
-#include "neighbour_moments.h"
+#include "least_squares_normal.h"
 
 namespace gestalt {
 
 namespace {
 
-/// Smallest eigenvalue and a vector of its eigenspace of a symmetric positive semi-definite 3x3 matrix.
-struct Smallest {
-  float value;
-  Eigen::Vector3f vector;  // (0, 0, 0) when the eigenspace is not a line
-};
-
-Smallest smallest_eigenpair(const Eigen::Matrix3f& m) {
-  // Closed form: trigonometric roots of the characteristic polynomial, then the eigenvector as the longest cross
-  // product of two rows of (m - value I).
-  const float mean = m.trace() / 3;
-  Eigen::Matrix3f shifted = m;
-  shifted.diagonal().array() -= mean;
-  const float spread = std::sqrt(shifted.squaredNorm() / 6);
-  if (!(spread > 0)) return {mean, Eigen::Vector3f::Zero()};
-  const float r = std::clamp(shifted.determinant() / (2 * spread * spread * spread), -1.f, 1.f);
-  const float value = mean + 2 * spread * std::cos(std::acos(r) / 3 + 2.0943951f);
-  shifted = m;
-  shifted.diagonal().array() -= value;
-  const Eigen::Vector3f a = shifted.row(0), b = shifted.row(1), c = shifted.row(2);
-  const Eigen::Vector3f ab = a.cross(b), ac = a.cross(c), bc = b.cross(c);
-  const float n_ab = ab.squaredNorm(), n_ac = ac.squaredNorm(), n_bc = bc.squaredNorm();
-  const float longest = std::max({n_ab, n_ac, n_bc});
-  if (!(longest > 0)) return {value, Eigen::Vector3f::Zero()};
-  const Eigen::Vector3f& vector = longest == n_ab ? ab : longest == n_ac ? ac : bc;
-  return {value, vector / std::sqrt(longest)};
-}
-
-constexpr float edge_on = 1e-4f;  // cosine of ray and normal below which a camera sees no surface, only noise
-constexpr int full_window = 8;    // px; of larger radii only every second, third, ... row and column is looked at
+constexpr int full_window = 8;  // px at 525 px focal length; larger ones are sampled
 
 class Estimation {
  public:
@@ -77,55 +47,48 @@ class Estimation {
       const int own = radius[std::size_t(i)];
       if (own == 0) continue;
       if (u < own || u + wide_lanes + own > frame_.width()) {  // a window, or the lanes, leave the image
-        NeighbourMoments<float> moments;
-        sum_neighbours(points_, u + i, v, window(u + i, v, own), reach[i], moments);
-        set_normal(u + i, v, moments);
+        const LeastSquaresNormal<float> n = estimate(u + i, v, own, reach[i]);
+        set_normal(u + i, v, n.x, n.y, n.z, n.curvature);
         continue;
       }
-      NeighbourMoments<WideFloats> moments;
-      sum_neighbours(points_, u, v, window(u, v, own), reach, moments);
+      const LeastSquaresNormal<WideFloats> n = estimate(u, v, own, reach);
       for (int k = i; k < wide_lanes; ++k)
         if (radius[std::size_t(k)] == own) {
-          set_normal(u + k, v, lane(moments, k));
+          set_normal(u + k, v, n.x[k], n.y[k], n.z[k], n.curvature[k]);
           radius[std::size_t(k)] = 0;
         }
     }
   }
 
   NeighbourWindow window(int u, int v, int radius) const {
-    // Noise is shared by neighbouring pixels: of a large window a sample tells as much.
-    const int step = 1 + (radius - 1) / full_window;
+    // Noise is shared by neighbouring pixels: of a large window a sample tells as much. A window that is large because
+    // the camera has many pixels is looked at as one of a Kinect would be.
+    const int step = std::max(1 + (radius - 1) / full_window, tolerances_.window_step());
     const auto first = [&](int room) { return -(std::min(radius, room) / step * step); };
     return {first(u), std::min(radius, frame_.width() - 1 - u), first(v), std::min(radius, frame_.height() - 1 - v),
             step};
   }
 
-  static NeighbourMoments<float> lane(const NeighbourMoments<WideFloats>& m, int i) {
-    return {m.n[i], m.x[i], m.y[i], m.w[i], m.xx[i], m.xy[i], m.xw[i], m.yy[i], m.yw[i], m.ww[i]};
+  /// F: of pixel (u, v), or of that and those to the right of it.
+  template <class F>
+  LeastSquaresNormal<F> estimate(int u, int v, int radius, const F& squared_reach) const {
+    NeighbourMoments<F> moments;
+    sum_neighbours(points_, u, v, window(u, v, radius), squared_reach, moments);
+    Vector<F> point;
+    points_.load(u, v, point);
+    LeastSquaresNormal<F> normal;
+    find_normal(moments, point, normal);
+    return normal;
   }
 
-  void set_normal(int u, int v, const NeighbourMoments<float>& m) {
-    if (m.n < 3) return;
-    const float i = 1 / m.n;
-    Eigen::Matrix3f covariance;
-    covariance << m.xx - m.x * m.x * i, m.xy - m.x * m.y * i, m.xw - m.x * m.w * i, m.xy - m.x * m.y * i,
-        m.yy - m.y * m.y * i, m.yw - m.y * m.w * i, m.xw - m.x * m.w * i, m.yw - m.y * m.w * i, m.ww - m.w * m.w * i;
-    const float total = covariance.trace();
-    if (!(total > 0)) return;
-    // Scaled to a trace of 1: float32 then has room for the cubes of the closed form.
-    const Smallest smallest = smallest_eigenpair(covariance / total);
-    if (smallest.vector.isZero()) return;
-    const Eigen::Vector3f ray = frame_.point(v * frame_.width() + u);
-    const float along = smallest.vector.dot(ray);
-    if (std::abs(along) < edge_on * ray.norm()) return;
-    const float towards = along > 0 ? -1.f : 1.f;
-    map_.normals(v, u) = {towards * smallest.vector.x(), towards * smallest.vector.y(), towards * smallest.vector.z()};
-    map_.curvature(v, u) = std::clamp(smallest.value, 0.f, 1.f / 3);
+  void set_normal(int u, int v, float x, float y, float z, float curvature) {
+    map_.normals(v, u) = {x, y, z};
+    map_.curvature(v, u) = curvature;
   }
 
   const Frame& frame_;
   const Tolerances& tolerances_;
-  const PointPlanes points_;
+  const VectorPlanes points_;
   NormalMap map_;
 };
 

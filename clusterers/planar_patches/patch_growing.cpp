@@ -11,6 +11,7 @@
 
 #include "pixel_grid.h"
 #include "running_plane.h"
+#include "tolerance_memory.h"
 
 namespace gestalt {
 
@@ -36,7 +37,10 @@ std::vector<int> seeds_by_curvature(const NormalMap& normals) {
 class Growing {
  public:
   Growing(const Frame& frame, const NormalMap& normals, const Tolerances& tolerances)
-      : grid_(frame, normals), tolerances_(tolerances), patches_{cv::Mat_<int>(frame.depth.size(), 0), 0} {}
+      : grid_(frame, normals),
+        smallest_(tolerances.min_patch_size()),
+        tolerances_(tolerances),
+        patches_{cv::Mat_<int>(frame.depth.size(), 0), 0} {}
 
   LabelledPatches grow_from_seeds(const std::vector<int>& seeds) {
     for (const int seed : seeds)
@@ -52,7 +56,9 @@ class Growing {
     const int own = ++patches_.count;
     front_.assign(1, seed);
     label(seed) = own;
-    plane.add(grid_.point(seed), grid_.normal(seed));
+    plane.sum(grid_.point(seed), grid_.normal(seed));
+    plane.update();
+    double next_update = 0;
     // The plane of a young patch wobbles and turns pixels away that belong to it: once it has settled, all are asked
     // again.
     for (int round = 0; round < 2; ++round)
@@ -63,16 +69,21 @@ class Growing {
           if (plane.distance(p) > tolerances_.distance(p.z()) || n.dot(plane.normal) < tolerances_.cosine(p.z()))
             return;
           label(q) = own;
-          plane.add(p, n);
           front_.push_back(q);
+          plane.sum(p, n);
+          // The mean of many hardly moves: it is taken anew when a 1024th is added.
+          if (plane.count < next_update) return;
+          plane.update();
+          next_update = plane.count * (1 + 1. / 1024);
         });
-    if (int(front_.size()) >= tolerances_.min_patch_size()) return;
+    if (int(front_.size()) >= smallest_) return;
     for (const int pixel : front_) label(pixel) = 0;
     --patches_.count;
   }
 
   const PixelGrid grid_;
-  const Tolerances& tolerances_;
+  const int smallest_;
+  ToleranceMemory tolerances_;
   LabelledPatches patches_;
   std::vector<int> front_;
 };

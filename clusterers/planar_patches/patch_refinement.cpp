@@ -7,6 +7,7 @@
 #include <cmath>
 #include <limits>
 #include <numeric>
+#include <opencv2/imgproc.hpp>
 #include <queue>
 #include <tuple>
 #include <vector>
@@ -28,17 +29,9 @@ class Refinement {
   void cut_spurs() {
     const int radius = tolerances_.spur_radius();
     if (radius == 0) return;
-    const cv::Mat_<int> before = patches_.labels.clone();
-    const cv::Mat_<std::uint8_t> core = cores(radius);
-    patches_.labels.setTo(0);
-    for (int v = 0; v < patches_.labels.rows; ++v)
-      for (int u = 0; u < patches_.labels.cols; ++u) {
-        if (!core(v, u)) continue;
-        for (int dv = -radius; dv <= radius; ++dv) {
-          const int* row = before[v + dv];
-          std::copy(row + u - radius, row + u + radius + 1, patches_.labels[v + dv] + u - radius);
-        }
-      }
+    cv::Mat_<std::uint8_t> reached;
+    cv::dilate(cores(radius), reached, cv::Mat_<std::uint8_t>::ones(2 * radius + 1, 2 * radius + 1));
+    patches_.labels.setTo(0, reached == 0);
   }
 
   /// Gives pixels without a patch to a touching patch, the one whose plane is nearest first, when they lie within

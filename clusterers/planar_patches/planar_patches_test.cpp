@@ -46,6 +46,10 @@ TEST(Tolerances, FollowTheResolution) {
   EXPECT_EQ(twice.spur_radius(), 4);
   EXPECT_EQ(twice.min_patch_size(), 36);
   EXPECT_EQ(twice.smallest_island(), 120);
+  EXPECT_EQ(half.window_step(), 1);
+  EXPECT_EQ(for_kinect(640, 480).window_step(), 1);
+  EXPECT_EQ(twice.window_step(), 2);
+  EXPECT_EQ(for_kinect(2560, 1920).window_step(), 4);
   EXPECT_FLOAT_EQ(half.distance(1), twice.distance(1));
   EXPECT_FLOAT_EQ(half.squared_reach(1), 16 * twice.squared_reach(1));
 }
@@ -82,7 +86,7 @@ TEST(NeighbourMoments, OfLanesAreThoseOfEachPixel) {
       const float z = (u < 30 ? 1.f : 1.3f) + 0.01f * uniform();
       if (uniform() < 0.9f) points(v, u) = {(float(u) - 30) * z / 525, (float(v) - 20) * z / 525, z};
     }
-  const PointPlanes planes(points);
+  const VectorPlanes planes(points);
   for (const NeighbourWindow& window : {NeighbourWindow{-3, 3, -3, 3, 1}, NeighbourWindow{-9, 9, -8, 6, 2}})
     for (int v = 10; v < 30; ++v)
       for (int u = 10; u < 40; u += 3) {

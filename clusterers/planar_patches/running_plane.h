@@ -26,10 +26,6 @@ struct RunningPlane {
     normal = direction.cast<float>();
     offset = -float(direction.dot(point_sum) / count);
   }
-  void add(const Eigen::Vector3f& point, const Eigen::Vector3f& n) {
-    sum(point, n);
-    update();
-  }
   float distance(const Eigen::Vector3f& p) const { return std::abs(normal.dot(p) + offset); }
 };
 

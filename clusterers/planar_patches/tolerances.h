@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <algorithm>
+#include <cmath>
+
 #include "gestalt/frame.h"
 #include "gestalt/parameters.h"
 
@@ -70,6 +73,9 @@ class Tolerances {
 
   /// Pixels that the neighbourhood of a normal extends to each side, at least 1.
   int window_radius(float z) const;
+
+  /// Of the rows and columns of that neighbourhood one in so many is enough: 1 up to about 800 px of focal length.
+  int window_step() const { return std::max(1, int(std::lround(scale_))); }
 
   /// Largest distance, squared, of a neighbour one pixel away; of one r pixels away r^2 times that.
   float squared_reach(float z) const;

@@ -3,6 +3,8 @@
 
 #include "half_resolution.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <array>
 #include <cmath>
@@ -43,7 +45,7 @@ Frame halve(const Frame& frame, const Tolerances& tolerances) {
   half.camera = {(c.width + 1) / 2, (c.height + 1) / 2, c.fx / 2, c.fy / 2, (c.cx - 0.5) / 2, (c.cy - 0.5) / 2};
   half.depth = cv::Mat_<float>(half.camera.height, half.camera.width, 0.f);
   half.points = cv::Mat_<cv::Vec3f>(half.depth.size(), cv::Vec3f());
-  for (int v = 0; v < half.depth.rows; ++v)
+  tbb::parallel_for(0, half.depth.rows, [&](int v) {
     for (int u = 0; u < half.depth.cols; ++u) {
       std::array<float, 4> depths;
       depths.fill(std::numeric_limits<float>::infinity());  // behind all others
@@ -58,6 +60,7 @@ Frame halve(const Frame& frame, const Tolerances& tolerances) {
       half.points(v, u) = {float((u - half.camera.cx) / half.camera.fx) * z,
                            float((v - half.camera.cy) / half.camera.fy) * z, z};
     }
+  });
   return half;
 }
 

@@ -3,6 +3,8 @@
 
 #include "level_selection.h"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
@@ -92,6 +94,8 @@ class Selection {
 
   void count_points() {
     by_coarse_.resize(coarse_planes_.size());
+    std::pair<int, int> pair{0, 0};
+    Explained* part = nullptr;
     for (int v = 0; v < fine_.frame.height(); ++v)
       for (int u = 0; u < fine_.frame.width(); ++u) {
         const int coarse = over(u, v);
@@ -102,9 +106,12 @@ class Selection {
         whole.error += error(coarse_planes_[std::size_t(coarse)], p);
         const int fine = fine_.patches.labels(v, u);
         if (fine == 0) continue;
-        Explained& part = by_pair_[{coarse, fine}];
-        part.points += 1;
-        part.error += error(fine_planes_[std::size_t(fine)], p);
+        if (std::pair(coarse, fine) != pair) {  // neighbouring pixels are mostly of the same two
+          pair = {coarse, fine};
+          part = &by_pair_[pair];
+        }
+        part->points += 1;
+        part->error += error(fine_planes_[std::size_t(fine)], p);
       }
   }
 
@@ -142,7 +149,7 @@ class Selection {
   /// Kept coarse patches first, then the fine ones.
   LabelledPatches label_fine_pixels() const {
     LabelledPatches result{cv::Mat_<int>(fine_.frame.depth.size(), 0), coarse_.patches.count + fine_.patches.count};
-    for (int v = 0; v < result.labels.rows; ++v)
+    tbb::parallel_for(0, result.labels.rows, [&](int v) {
       for (int u = 0; u < result.labels.cols; ++u) {
         const int coarse = over(u, v), fine = fine_.patches.labels(v, u);
         if (coarse != 0 && kept_[std::size_t(coarse)]) {
@@ -151,6 +158,7 @@ class Selection {
           result.labels(v, u) = coarse_.patches.count + fine;
         }
       }
+    });
     return result;
   }
 

@@ -3,6 +3,8 @@
 
 #include "pyramid_normals.h"
 
+#include <tbb/parallel_for.h>
+
 #include <utility>
 #include <vector>
 
@@ -37,21 +39,19 @@ const Parameters<PyramidNormals::Params>& PyramidNormals::parameters() {
 }
 
 PatchMap PyramidNormals::cluster(const Frame& frame) const {
-  const auto level_of = [&](Frame level_frame, const Tolerances& tolerances, bool reorganised) {
-    NormalMap normals = estimate_normals(level_frame, tolerances);
-    if (reorganised) normals = reorganise(level_frame, std::move(normals), tolerances, params_);
-    LabelledPatches patches = grow_patches(level_frame, normals, tolerances);
-    patches = tidy_outlines(level_frame, normals, tolerances, std::move(patches));
-    return PyramidLevel{std::move(level_frame), std::move(normals), tolerances, std::move(patches)};
-  };
-  std::vector<PyramidLevel> levels;
-  levels.push_back(level_of(frame, Tolerances(frame, params_), params_.levels <= params_.reorganised_levels));
+  std::vector<PyramidLevel> levels{{frame, {}, Tolerances(frame, params_), {}}};
   for (int l = 1; l < params_.levels; ++l) {
     const PyramidLevel& finer = levels.back();
-    const Tolerances tolerances = finer.tolerances.halved();
-    levels.push_back(
-        level_of(halve(finer.frame, finer.tolerances), tolerances, params_.levels - l <= params_.reorganised_levels));
+    levels.push_back({halve(finer.frame, finer.tolerances), {}, finer.tolerances.halved(), {}});
   }
+  tbb::parallel_for(std::size_t{0}, levels.size(), [&](std::size_t l) {
+    PyramidLevel& level = levels[l];
+    level.normals = estimate_normals(level.frame, level.tolerances);
+    if (int(levels.size() - l) <= params_.reorganised_levels)
+      level.normals = reorganise(level.frame, std::move(level.normals), level.tolerances, params_);
+    level.patches = tidy_outlines(level.frame, level.normals, level.tolerances,
+                                  grow_patches(level.frame, level.normals, level.tolerances));
+  });
   for (std::size_t l = levels.size() - 1; l > 0; --l)
     levels[l - 1].patches = select_patches(levels[l], levels[l - 1], params_);
 

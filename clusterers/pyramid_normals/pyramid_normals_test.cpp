@@ -10,6 +10,7 @@
 #include <random>
 #include <set>
 
+#include "gestalt/synthesis.h"
 #include "half_resolution.h"
 #include "test_scenes.h"
 
@@ -86,6 +87,54 @@ TEST(Reorganisation, KeepsNormalsUnitAndMissingOnesMissing) {
     else
       ASSERT_EQ(n, cv::Vec3f());
   }
+}
+
+/// reorganise() said plainly, pixel after pixel.
+cv::Mat_<cv::Vec3f> reorganise_plainly(const Frame& frame, const NormalMap& map, const Tolerances& tolerances,
+                                       const ReorganisationParams& params) {
+  const cv::Rect image({}, frame.depth.size());
+  const int radius = params.reorganisation_radius, side = 2 * radius + 1;
+  const auto alpha = float(params.neighbour_weight), beta = float(params.likeness);
+  const auto squared = [](const cv::Vec3f& d) { return d.dot(d); };
+  cv::Mat_<cv::Vec3f> current = map.normals.clone();
+  bool moved = true;
+  for (int round = 0; round < params.rounds && moved; ++round) {
+    cv::Mat_<cv::Vec3f> next = current.clone();
+    moved = false;
+    for (int i = 0; i < int(current.total()); ++i) {
+      const cv::Point p(i % frame.width(), i / frame.width());
+      if (!(map.curvature(p) < 1)) continue;
+      const float reach = tolerances.squared_reach(frame.depth(p));
+      cv::Vec3f sum;
+      for (int j = 0; j < side * side; ++j) {
+        const cv::Point d(j % side - radius, j / side - radius), q = p + d;
+        if (d == cv::Point() || !image.contains(q) || !(map.curvature(q) < 1)) continue;
+        if (squared(frame.points(q) - frame.points(p)) > reach * float(d.dot(d))) continue;
+        const float like = beta / (squared(current(p) - current(q)) + beta);
+        sum += like * like * current(q);
+      }
+      const cv::Vec3f pulled = map.normals(p) + alpha * sum;
+      if (pulled.dot(frame.points(p)) < 0) next(p) = pulled / std::sqrt(pulled.dot(pulled));
+      if (squared(next(p) - current(p)) > 1e-6f) moved = true;
+    }
+    current = next;
+  }
+  return current;
+}
+
+// Lanes sum in another order than OpenCV's dot products do; a pixel whose normal lies between two sides may fall to the
+// other one for that.
+TEST(Reorganisation, IsThePlainOne) {
+  const Frame frame = synthesize(Category::complex_scene, 5, 2).frame;
+  const Tolerances tolerances = tolerances_of(frame);
+  const NormalMap map = estimate_normals(frame, tolerances);
+  const cv::Mat_<cv::Vec3f> plain = reorganise_plainly(frame, map, tolerances, {});
+  const NormalMap own = reorganise(frame, map, tolerances, {});
+  int others = 0;
+  for (int p = 0; p < int(plain.total()); ++p)
+    others += cv::norm(own.normals.ptr<cv::Vec3f>()[p] - plain.ptr<cv::Vec3f>()[p]) > 1e-4;
+  EXPECT_LT(others, 1e-3 * double(plain.total()));
+  EXPECT_EQ(cv::countNonZero(own.curvature != map.curvature), 0);
 }
 
 /// A wall 1 m away whose right half is further by a step, with its patches by a rule for each pixel; the camera is one

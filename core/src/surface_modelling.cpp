@@ -151,6 +151,12 @@ class SurfaceModeller {
 
 std::vector<Candidate> gather(const Frame& frame, const PatchMap& patches) {
   std::vector<Candidate> candidates(std::size_t(patches.count));
+  std::vector<std::size_t> sizes(candidates.size() + 1, 0);
+  for (const int label : patches.labels) ++sizes[std::size_t(label)];
+  for (std::size_t i = 0; i < candidates.size(); ++i) {
+    candidates[i].pixels.reserve(sizes[i + 1]);
+    candidates[i].points.reserve(sizes[i + 1]);
+  }
   for (int pixel = 0; pixel < int(patches.labels.total()); ++pixel)
     if (const int label = patches.labels.ptr<int>()[pixel]; label > 0) {
       candidates[std::size_t(label) - 1].pixels.push_back(pixel);
@@ -280,11 +286,13 @@ SurfaceSet model_surfaces(const Frame& frame, const PatchMap& patches,
   set.labels = cv::Mat_<int>(patches.labels.size(), 0);
   for (Candidate& candidate : candidates) {
     if (candidate.pixels.empty()) continue;
-    std::sort(candidate.pixels.begin(), candidate.pixels.end());
-    set.surfaces.push_back(
-        {std::move(candidate.pixels), candidate.models[candidate.fitter], modeller.refusals(candidate)});
-    for (const int pixel : set.surfaces.back().pixels) set.labels.ptr<int>()[pixel] = int(set.surfaces.size());
+    set.surfaces.push_back({{}, candidate.models[candidate.fitter], modeller.refusals(candidate)});
+    set.surfaces.back().pixels.reserve(candidate.pixels.size());
+    for (const int pixel : candidate.pixels) set.labels.ptr<int>()[pixel] = int(set.surfaces.size());
   }
+  for (int pixel = 0; pixel < int(set.labels.total()); ++pixel)
+    if (const int label = set.labels.ptr<int>()[pixel]; label > 0)
+      set.surfaces[std::size_t(label) - 1].pixels.push_back(pixel);
   set.adjacencies = find_adjacencies(frame, set.labels, params);
   return set;
 }
