@@ -3,6 +3,8 @@
 
 #include "patch_refinement.h"
 
+#include <tbb/parallel_for.h>
+
 #include <algorithm>
 #include <cmath>
 #include <limits>
@@ -12,6 +14,7 @@
 #include <tuple>
 #include <vector>
 
+#include "gestalt/wide.h"
 #include "pixel_grid.h"
 #include "running_plane.h"
 
@@ -19,10 +22,25 @@ namespace gestalt {
 
 namespace {
 
+/// Of a row of labels: whole is 1 where a pixel's patch goes on for side pixels to the right, same is 1 where it goes
+/// on below; 0 elsewhere. alike: room for a row.
+GESTALT_WIDE void compare(const int* row, const int* below, int width, int side, int* alike, std::uint8_t* whole,
+                          std::uint8_t* same) {
+  for (int u = 0; u < width; ++u) same[u] = row[u] == below[u];
+  const int end = width - side;
+  std::copy(row, row + end, alike);
+  for (int d = 1; d <= side; ++d)
+    for (int u = 0; u < end; ++u) alike[u] = row[u] == row[u + d] ? alike[u] : 0;
+  for (int u = 0; u < end; ++u) whole[u] = alike[u] != 0;
+}
+
 class Refinement {
  public:
   Refinement(const Frame& frame, const NormalMap& normals, const Tolerances& tolerances, LabelledPatches patches)
-      : grid_(frame, normals), tolerances_(tolerances), patches_(std::move(patches)) {}
+      : grid_(frame, normals),
+        tolerances_(tolerances),
+        patches_(std::move(patches)),
+        labels_(patches_.labels.ptr<int>()) {}
 
   /// Takes from every patch what a square of 2 * spur_radius + 1 pixels within it cannot reach: strips along creases
   /// and depth jumps, where a normal mixes two surfaces, and the thin ends of patches that crept along them.
@@ -124,35 +142,42 @@ class Refinement {
   LabelledPatches result() { return std::move(patches_); }
 
  private:
-  int& label(int pixel) { return patches_.labels.ptr<int>()[pixel]; }
+  int& label(int pixel) const { return labels_[pixel]; }
 
   /// Marks the pixels around which the whole square is of one patch.
   cv::Mat_<std::uint8_t> cores(int radius) const {
-    const int side = 2 * radius + 1;
-    // run: how many pixels to the left, including this one, are of one patch; stack: how many rows above have full
-    // runs.
-    cv::Mat_<std::uint8_t> core(patches_.labels.size(), std::uint8_t{0});
-    std::vector<int> stack(std::size_t(patches_.labels.cols), 0);
-    for (int v = 0; v < patches_.labels.rows; ++v) {
-      const int* row = patches_.labels[v];
-      const int* above = v > 0 ? patches_.labels[v - 1] : nullptr;
-      int run = 0;
-      for (int u = 0; u < patches_.labels.cols; ++u) {
-        run = row[u] == 0 ? 0 : u > 0 && row[u] == row[u - 1] ? run + 1 : 1;
-        int& rows = stack[std::size_t(u)];
-        rows = run < side ? 0 : above && above[u] == row[u] ? rows + 1 : 1;
-        if (rows >= side) core(v - radius, u - radius) = 1;
+    const cv::Mat_<int>& labels = patches_.labels;
+    const int width = labels.cols, height = labels.rows, side = 2 * radius;
+    cv::Mat_<std::uint8_t> core(labels.size(), std::uint8_t{0});
+    if (width <= side || height <= side) return core;
+    // A square is of one patch when its rows are and its middle column is.
+    cv::Mat_<std::uint8_t> in_row(labels.size(), std::uint8_t{0}), as_below(labels.size());
+    tbb::parallel_for(0, height, [&](int v) {
+      std::vector<int> alike(static_cast<std::size_t>(width));
+      compare(labels[v], labels[std::min(v + 1, height - 1)], width, side, alike.data(), in_row[v] + radius,
+              as_below[v]);
+    });
+    tbb::parallel_for(radius, height - radius, [&](int v) {
+      cv::Mat_<std::uint8_t> whole = core.row(v);
+      in_row.row(v).copyTo(whole);
+      for (int d = -radius; d <= radius; ++d) {
+        cv::bitwise_and(whole, in_row.row(v + d), whole);
+        if (d < radius) cv::bitwise_and(whole, as_below.row(v + d), whole);
       }
-    }
+    });
     return core;
   }
 
   /// Mean planes by label.
   std::vector<RunningPlane> planes_of_patches() const {
     std::vector<RunningPlane> planes(std::size_t(patches_.count) + 1);
-    for (int p = 0; p < grid_.size(); ++p)
-      if (const int own = patches_.labels.ptr<int>()[p]; own != 0)
-        planes[std::size_t(own)].sum(grid_.point(p), grid_.normal(p));
+    for (int p = 0; p < grid_.size();) {
+      const int own = label(p);
+      RunningPlane run;  // of neighbouring pixels, in registers
+      for (; p < grid_.size() && label(p) == own; ++p)
+        if (own != 0) run.sum(grid_.point(p), grid_.normal(p));
+      planes[std::size_t(own)].add(run);
+    }
     for (RunningPlane& plane : planes)
       if (plane.count > 0) plane.update();
     return planes;
@@ -161,6 +186,7 @@ class Refinement {
   const PixelGrid grid_;
   const Tolerances& tolerances_;
   LabelledPatches patches_;
+  int* const labels_;
 };
 
 }  // namespace

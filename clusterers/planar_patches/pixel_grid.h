@@ -10,23 +10,28 @@
 
 namespace gestalt {
 
-/// Points and normals of a frame by row-major pixel index. Keeps references.
+/// Points and normals of a frame by row-major pixel index. Keeps pointers to them.
 class PixelGrid {
  public:
   PixelGrid(const Frame& frame, const NormalMap& normals)
-      : frame_(frame), normals_(normals), width_(frame.width()), size_(int(frame.depth.total())) {}
+      : points_(frame.points.ptr<cv::Vec3f>()),
+        depth_(frame.depth.ptr<float>()),
+        normals_(normals.normals.ptr<cv::Vec3f>()),
+        curvature_(normals.curvature.ptr<float>()),
+        width_(frame.width()),
+        size_(int(frame.depth.total())) {}
 
   int size() const { return size_; }
-  bool valid(int pixel) const { return frame_.valid(pixel); }
-  float depth(int pixel) const { return frame_.depth.ptr<float>()[pixel]; }
-  Eigen::Vector3f point(int pixel) const { return frame_.point(pixel); }
-  bool has_normal(int pixel) const { return normals_.curvature.ptr<float>()[pixel] < 1; }
+  bool valid(int pixel) const { return depth_[pixel] > 0; }
+  float depth(int pixel) const { return depth_[pixel]; }
+  Eigen::Vector3f point(int pixel) const { return vector(points_[pixel]); }
+  bool has_normal(int pixel) const { return curvature_[pixel] < 1; }
+
+  /// 1 where there is no normal.
+  float curvature(int pixel) const { return curvature_[pixel]; }
 
   /// (0, 0, 0) where there is none.
-  Eigen::Vector3f normal(int pixel) const {
-    const cv::Vec3f& n = normals_.normals.ptr<cv::Vec3f>()[pixel];
-    return {n[0], n[1], n[2]};
-  }
+  Eigen::Vector3f normal(int pixel) const { return vector(normals_[pixel]); }
 
   /// Calls f with the pixels to the left, right, above and below, as far as the image goes.
   template <class F>
@@ -39,8 +44,12 @@ class PixelGrid {
   }
 
  private:
-  const Frame& frame_;
-  const NormalMap& normals_;
+  static Eigen::Vector3f vector(const cv::Vec3f& v) { return {v[0], v[1], v[2]}; }
+
+  const cv::Vec3f* const points_;
+  const float* const depth_;
+  const cv::Vec3f* const normals_;
+  const float* const curvature_;
   const int width_;
   const int size_;
 };

@@ -21,6 +21,12 @@ struct RunningPlane {
     normal_sum += n.cast<double>();
     count += 1;
   }
+  /// The same for the pixels of another plane.
+  void add(const RunningPlane& other) {
+    point_sum += other.point_sum;
+    normal_sum += other.normal_sum;
+    count += other.count;
+  }
   void update() {
     const Eigen::Vector3d direction = normal_sum.normalized();
     normal = direction.cast<float>();
