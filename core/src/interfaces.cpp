@@ -26,6 +26,7 @@ Clusterer::~Clusterer() = default;
 Fitter::~Fitter() = default;
 SurfaceModel::~SurfaceModel() = default;
 Relation::~Relation() = default;
+Observation::~Observation() = default;
 Measure::~Measure() = default;
 Classifier::~Classifier() = default;
 Predictor::~Predictor() = default;
@@ -34,6 +35,8 @@ Solver::~Solver() = default;
 float SurfaceModel::squared_distance(const Eigen::Vector3f& p) const { return (foot(p).point - p).squaredNorm(); }
 
 std::optional<Eigen::Vector2d> SurfaceModel::parameters(const Eigen::Vector3f&) const { return std::nullopt; }
+
+std::unique_ptr<Observation> Relation::observe(const Images&) const { return nullptr; }
 
 std::string Fitter::refusal(std::span<const Eigen::Vector3f>) const { return ""; }
 

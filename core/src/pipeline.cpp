@@ -3,11 +3,15 @@
 
 #include "gestalt/pipeline.h"
 
+#include <tbb/parallel_for_each.h>
+
 #include <algorithm>
 #include <chrono>
 #include <limits>
 
+#include "aside.h"
 #include "gestalt/error.h"
+#include "gestalt/images.h"
 #include "isolated.h"
 
 namespace gestalt {
@@ -127,6 +131,10 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
             "' needs one; add rgb.png, or use a config without colour relations and a model trained for it");
   Frame frame = given;  // shares the images
   frame.noise = noise_;
+  const Images images(frame);
+  Aside observations([&] {
+    tbb::parallel_for_each(relations_, [&](const NamedRelation& named) { images.observation(*named.relation); });
+  });
   Percept percept;
   {
     const Stopwatch watch(percept.times.signal);
@@ -142,9 +150,10 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
   }
   percept.pixel_density = pixel_density(frame.camera);
   std::optional<Measures> measures;
-  const Scene scene(frame, percept.patches, percept.surfaces);
+  const Scene scene(images, percept.patches, percept.surfaces);
   {
     const Stopwatch watch(percept.times.structural);
+    observations.wait();
     measures.emplace(scene, relations_);
     percept.structural = relate(neighbour_pairs(percept.surfaces, structural_.minimum_size * percept.pixel_density),
                                 structural_.relations, *measures);

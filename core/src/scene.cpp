@@ -3,35 +3,13 @@
 
 #include "gestalt/scene.h"
 
-#include <opencv2/imgproc.hpp>
-
-#include "gestalt/error.h"
-
 namespace gestalt {
 
-namespace {
-
-cv::Mat converted(const Frame& frame, int code) {
-  if (!frame.has_colour()) throw InputError(frame.name + ": a relation needs colour and the frame has none");
-  cv::Mat result;
-  cv::cvtColor(frame.colour, result, code);
-  return result;
-}
-
-}  // namespace
+Scene::Scene(const Images& images, const PatchMap& patches, const SurfaceSet& surfaces)
+    : images_(images), patches_(patches), surfaces_(surfaces) {}
 
 Scene::Scene(const Frame& frame, const PatchMap& patches, const SurfaceSet& surfaces)
-    : frame_(frame), patches_(patches), surfaces_(surfaces) {}
-
-const cv::Mat& Scene::grey() const {
-  std::call_once(grey_once_, [this] { grey_ = converted(frame_, cv::COLOR_BGR2GRAY); });
-  return grey_;
-}
-
-const cv::Mat& Scene::yuv() const {
-  std::call_once(yuv_once_, [this] { yuv_ = converted(frame_, cv::COLOR_BGR2YUV); });
-  return yuv_;
-}
+    : own_images_(std::make_unique<Images>(frame)), images_(*own_images_), patches_(patches), surfaces_(surfaces) {}
 
 const std::vector<std::vector<Contour>>& Scene::contours() const {
   std::call_once(contours_once_, [this] { contours_ = find_contours(surfaces_); });
@@ -39,17 +17,17 @@ const std::vector<std::vector<Contour>>& Scene::contours() const {
 }
 
 const BoundaryLines& Scene::boundary_lines() const {
-  std::call_once(lines_once_, [this] { lines_ = find_boundary_lines(frame_, surfaces_, contours()); });
+  std::call_once(lines_once_, [this] { lines_ = find_boundary_lines(frame(), surfaces_, contours()); });
   return lines_;
 }
 
 const std::vector<Closure>& Scene::closures() const {
-  std::call_once(closures_once_, [this] { closures_ = find_closures(frame_, surfaces_, boundary_lines()); });
+  std::call_once(closures_once_, [this] { closures_ = find_closures(frame(), surfaces_, boundary_lines()); });
   return closures_;
 }
 
 const std::vector<Outline>& Scene::outlines() const {
-  std::call_once(outlines_once_, [this] { outlines_ = find_outlines(frame_, surfaces_, contours()); });
+  std::call_once(outlines_once_, [this] { outlines_ = find_outlines(frame(), surfaces_, contours()); });
   return outlines_;
 }
 

@@ -84,7 +84,7 @@ TEST(Registry, AKindIsNotMistakenForAnother) {
 TEST(Registry, RejectsAnOldInterface) {
   const std::string reason = rejection("old_interface");
   expect_in("interface 0", reason);
-  expect_in("this core has 2", reason);
+  expect_in("this core has 3", reason);
 }
 
 TEST(Registry, RejectsAnotherBuildAndTellsBoth) {

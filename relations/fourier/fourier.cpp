@@ -20,7 +20,9 @@ namespace {
 constexpr std::size_t coefficients = 5;
 
 /// For each coefficient, the bin of every pixel.
-using BinImages = std::array<cv::Mat_<uchar>, coefficients>;
+struct BinImages final : Observation {
+  std::array<cv::Mat_<uchar>, coefficients> of;
+};
 
 /// Bins of |X_k| / 8 are this many to a unit of |X_k|.
 std::array<float, coefficients> bins_per_unit(const Fourier::Params& params) {
@@ -57,16 +59,17 @@ void transform_row(const uchar* above, const uchar* row, const uchar* below, int
   }
 }
 
-BinImages transform(const cv::Mat& grey, const Fourier::Params& params) {
-  BinImages images;
-  for (auto& image : images) image.create(grey.size());
+std::unique_ptr<BinImages> transform(const cv::Mat& grey, const Fourier::Params& params) {
+  auto images = std::make_unique<BinImages>();
+  auto& of = images->of;
+  for (auto& image : of) image.create(grey.size());
   cv::Mat padded;
   cv::copyMakeBorder(grey, padded, 1, 1, 1, 1, cv::BORDER_REPLICATE);
   const auto scale = bins_per_unit(params);
   tbb::parallel_for(tbb::blocked_range<int>(0, grey.rows, 32), [&](const tbb::blocked_range<int>& rows) {
     for (int v = rows.begin(); v < rows.end(); ++v)
       transform_row(padded.ptr(v), padded.ptr(v + 1), padded.ptr(v + 2), grey.cols, scale, params.bins,
-                    {images[0][v], images[1][v], images[2][v], images[3][v], images[4][v]});
+                    {of[0][v], of[1][v], of[2][v], of[3][v], of[4][v]});
   });
   return images;
 }
@@ -75,8 +78,8 @@ class FourierMeasure final : public Measure {
  public:
   FourierMeasure(const BinImages& images, const SurfaceSet& surfaces, int bins)
       : bins_(std::size_t(bins)), roots_(surfaces.surfaces.size() * coefficients * bins_) {
-    const std::array<const uchar*, coefficients> bin{images[0][0], images[1][0], images[2][0], images[3][0],
-                                                     images[4][0]};
+    const std::array<const uchar*, coefficients> bin{images.of[0][0], images.of[1][0], images.of[2][0], images.of[3][0],
+                                                     images.of[4][0]};
     tbb::parallel_for(std::size_t{0}, surfaces.surfaces.size(), [&](std::size_t i) {
       float* counts = &roots_[i * coefficients * bins_];
       for (const int pixel : surfaces.surfaces[i].pixels)
@@ -119,8 +122,10 @@ const std::vector<RelationValue>& Fourier::values() const {
   return values;
 }
 
+std::unique_ptr<Observation> Fourier::observe(const Images& images) const { return transform(images.grey(), params_); }
+
 std::unique_ptr<Measure> Fourier::bind(const Scene& scene) const {
-  return std::make_unique<FourierMeasure>(transform(scene.grey(), params_), scene.surfaces(), params_.bins);
+  return std::make_unique<FourierMeasure>(scene.observed<BinImages>(*this), scene.surfaces(), params_.bins);
 }
 
 }  // namespace gestalt

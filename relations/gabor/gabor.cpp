@@ -14,10 +14,15 @@ namespace gestalt {
 
 namespace {
 
+struct ObservedResponses final : Observation {
+  explicit ObservedResponses(GaborResponses r) : responses(std::move(r)) {}
+  GaborResponses responses;
+};
+
 class GaborMeasure final : public Measure {
  public:
-  GaborMeasure(const Gabor::Params& params, const cv::Mat& grey, const SurfaceSet& surfaces)
-      : params_(params), descriptors_(describe(params, grey, surfaces)) {
+  GaborMeasure(const Gabor::Params& params, const GaborResponses& responses, const SurfaceSet& surfaces)
+      : params_(params), descriptors_(describe(params, responses, surfaces)) {
     for (const GaborDescriptor& d : descriptors_) {
       double energy = 0;
       for (std::size_t f = 0; f < params.filters(); ++f) energy += length(d.mean[f], d.deviation[f]);
@@ -84,8 +89,13 @@ Gabor::Gabor(const Params& params) : params_(params) {
                       std::to_string(largest) + "; lower scales, spacing, shortest_wavelength, sigma or truncation");
 }
 
+std::unique_ptr<Observation> Gabor::observe(const Images& images) const {
+  return std::make_unique<ObservedResponses>(
+      GaborResponses(params_, images.grey(), grid_box(images.frame().depth, params_.stride)));
+}
+
 std::unique_ptr<Measure> Gabor::bind(const Scene& scene) const {
-  return std::make_unique<GaborMeasure>(params_, scene.grey(), scene.surfaces());
+  return std::make_unique<GaborMeasure>(params_, scene.observed<ObservedResponses>(*this).responses, scene.surfaces());
 }
 
 }  // namespace gestalt

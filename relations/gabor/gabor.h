@@ -27,6 +27,7 @@ class Gabor final : public Relation {
   explicit Gabor(const Params& params);
   const std::vector<RelationValue>& values() const override;
   bool needs_colour() const override { return true; }
+  std::unique_ptr<Observation> observe(const Images& images) const override;
   std::unique_ptr<Measure> bind(const Scene& scene) const override;
 
  private:

@@ -4,6 +4,7 @@
 #include "gabor_bank.h"
 
 #include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
 #include <tbb/parallel_reduce.h>
 
 #include <algorithm>
@@ -13,6 +14,7 @@
 #include <functional>
 #include <numbers>
 #include <opencv2/core/hal/intrin.hpp>
+#include <opencv2/imgproc.hpp>
 
 #include "gestalt/wide.h"
 
@@ -87,11 +89,10 @@ struct Run {
   int last;
 };
 
-/// The grid pixels of all surfaces. Grid pixel (row, column) is image pixel (row * stride, column * stride).
+/// The grid pixels of all surfaces.
 struct Grid {
   std::vector<std::vector<Run>> runs;  // of each grid row
   std::vector<int> counts;             // grid pixels of each surface
-  cv::Rect box;                        // of all runs
 
   Grid(const SurfaceSet& surfaces, int stride)
       : runs(std::size_t(rounded_up(surfaces.labels.rows, stride) / stride)), counts(surfaces.surfaces.size()) {
@@ -105,8 +106,6 @@ struct Grid {
       for (const int pixel : surfaces.surfaces[i].pixels)
         add(int(i), pixel / surfaces.labels.cols / stride, pixel % surfaces.labels.cols / stride);
     }
-    for (int row = 0; row < int(runs.size()); ++row)
-      for (const Run& run : runs[std::size_t(row)]) box |= cv::Rect(run.first, row, run.last - run.first, 1);
   }
 
  private:
@@ -250,13 +249,13 @@ struct Sums {
 class RowFilter {
  public:
   RowFilter(const GaborBank& bank, const SortedImage& image, int columns)
-      : bank_(bank),
-        image_(image),
-        columns_(rounded_up(columns, block)),
-        vertical_(std::size_t(2 * image.row_length()) * std::size_t(bank.directions / 2 + 1)),
-        magnitude_(std::size_t(columns_) * std::size_t(bank.directions)) {}
+      : image_(image),
+        columns_(columns),
+        vertical_(std::size_t(2 * image.row_length()) * std::size_t(bank.directions / 2 + 1)) {}
 
-  void operator()(const Scale& scale, int row) {
+  /// Of a row of the box; result: for each direction the row that the result is written to, which has room for a
+  /// multiple of a block.
+  void operator()(const Scale& scale, int row, const std::vector<float*>& result) {
     const float* pixels = image_.grid_row(row);
     const Taps down(scale.radius, [&](int d) { return image_.vertical(d); });
     for (int i = 0; i < image_.row_length(); i += block)
@@ -270,24 +269,19 @@ class RowFilter {
         float ac[block], as[block], bc[block], bs[block];
         filter_block(real(n) + image_.first() + i, right, kernels.x, ac, as);
         filter_block(imaginary(n) + image_.first() + i, right, kernels.x, bc, bs);
-        magnitudes(ac, as, bc, bs, result(kernels.direction) + i, result(kernels.mirror_direction) + i);
+        magnitudes(ac, as, bc, bs, result[std::size_t(kernels.direction)] + i,
+                   result[std::size_t(kernels.mirror_direction)] + i);
       }
     }
   }
 
-  /// The last result, by grid column from the grid's first one.
-  const float* magnitude(int direction) const { return &magnitude_[std::size_t(direction) * std::size_t(columns_)]; }
-
  private:
-  float* result(int direction) { return &magnitude_[std::size_t(direction) * std::size_t(columns_)]; }
   float* real(std::size_t n) { return &vertical_[2 * n * std::size_t(image_.row_length())]; }
   float* imaginary(std::size_t n) { return real(n) + image_.row_length(); }
 
-  const GaborBank& bank_;
   const SortedImage& image_;
   int columns_;
   std::vector<float> vertical_;
-  std::vector<float> magnitude_;
 };
 
 }  // namespace
@@ -300,30 +294,44 @@ double GaborBank::deviation(int scale) const { return sigma / wave_number(scale)
 
 int GaborBank::radius(int scale) const { return std::max(1, int(std::lround(truncation * deviation(scale)))); }
 
-std::vector<GaborDescriptor> describe(const GaborBank& bank, const cv::Mat& grey, const SurfaceSet& surfaces) {
-  const Grid grid(surfaces, bank.stride);
-  if (grid.box.empty()) return {};
+GaborResponses::GaborResponses(const GaborBank& bank, const cv::Mat& grey, const cv::Rect& box)
+    : box_(box), filters_(int(bank.filters())), magnitudes_(box.height * filters_, rounded_up(box.width, block)) {
+  if (box.empty()) return;
   const std::vector<Scale> scales = make_scales(bank);
-  const SortedImage image(grey, grid.box, bank.stride, scales.back().radius);
+  const SortedImage image(grey, box, bank.stride, scales.back().radius);
+  tbb::parallel_for(tbb::blocked_range<int>(0, box.height, 8), [&](const tbb::blocked_range<int>& rows) {
+    RowFilter filter(bank, image, box.width);
+    std::vector<float*> result(std::size_t(bank.directions));
+    for (int row = rows.begin(); row < rows.end(); ++row)
+      for (int i = 0; i < bank.scales; ++i) {
+        for (int j = 0; j < bank.directions; ++j)
+          result[std::size_t(j)] = magnitudes_[row * filters_ + i * bank.directions + j];
+        filter(scales[std::size_t(i)], row, result);
+      }
+  });
+}
 
+cv::Rect grid_box(const cv::Mat_<float>& depth, int stride) {
+  const cv::Rect measured = cv::boundingRect(depth > 0);
+  if (measured.empty()) return {};
+  const cv::Point first = measured.tl() / stride, last = (measured.br() - cv::Point(1, 1)) / stride;
+  return {first, last + cv::Point(1, 1)};
+}
+
+std::vector<GaborDescriptor> describe(const GaborBank& bank, const GaborResponses& responses,
+                                      const SurfaceSet& surfaces) {
+  const Grid grid(surfaces, bank.stride);
   const std::size_t filters = bank.filters();
   const Sums none(surfaces.surfaces.size() * filters);
   // The reduction splits the rows the same way for any number of threads.
   const Sums sums = tbb::parallel_deterministic_reduce(
-      tbb::blocked_range<int>(0, grid.box.height, 16), none,
+      tbb::blocked_range<int>(0, int(grid.runs.size()), 16), none,
       [&](const tbb::blocked_range<int>& rows, Sums partial) {
-        RowFilter filter(bank, image, grid.box.width);
-        for (int row = rows.begin(); row < rows.end(); ++row) {
-          const std::vector<Run>& runs = grid.runs[std::size_t(grid.box.y) + std::size_t(row)];
-          if (runs.empty()) continue;
-          for (std::size_t i = 0; i < scales.size(); ++i) {
-            filter(scales[i], row);
-            for (const Run& run : runs)
-              for (int j = 0; j < bank.directions; ++j)
-                partial.add(std::size_t(run.surface) * filters + i * std::size_t(bank.directions) + std::size_t(j),
-                            filter.magnitude(j) + run.first - grid.box.x, run.last - run.first);
-          }
-        }
+        for (int row = rows.begin(); row < rows.end(); ++row)
+          for (const Run& run : grid.runs[std::size_t(row)])
+            for (std::size_t f = 0; f < filters; ++f)
+              partial.add(std::size_t(run.surface) * filters + f, responses.at(row, f, run.first),
+                          run.last - run.first);
         return partial;
       },
       [](Sums left, const Sums& right) { return std::move(left += right); });

@@ -25,16 +25,42 @@ struct GaborBank {
   int radius(int scale) const;          ///< px, of the kernel: 8, 10, 12, 15 and 18 by default
 };
 
-/// Mean and standard deviation of every filter's magnitude over a surface's pixels, in grey levels: a wave of amplitude
-/// A that fits a filter gives A / 2. Filter i * directions + j is scale i, direction j.
+/// Every filter's magnitudes at the grid pixels of a box of the image, in grey levels: a wave of amplitude A that fits
+/// a filter gives A / 2. Filter i * directions + j is scale i, direction j. Grid pixel (row, column) is image pixel
+/// (row * stride, column * stride).
+class GaborResponses {
+ public:
+  /// box: grid pixels, may be empty. Every kernel is free of DC, so that brightness does not count; the image is
+  /// mirrored at its edge.
+  GaborResponses(const GaborBank& bank, const cv::Mat& grey, const cv::Rect& box);
+
+  const cv::Rect& box() const { return box_; }
+
+  /// Of the grid pixels from (row, column) on, to the end of the box's row.
+  const float* at(int row, std::size_t filter, int column) const {
+    return magnitudes_[(row - box_.y) * filters_ + int(filter)] + (column - box_.x);
+  }
+
+ private:
+  cv::Rect box_;
+  int filters_;
+  cv::Mat_<float> magnitudes_;  // rows: of each grid row, each filter
+};
+
+/// The grid pixels to which measured pixels belong: each belongs to that above and to the left of it. Empty when none
+/// are measured.
+cv::Rect grid_box(const cv::Mat_<float>& depth, int stride);
+
+/// Mean and standard deviation of every filter's magnitude over a surface's pixels.
 struct GaborDescriptor {
   std::vector<float> mean;
   std::vector<float> deviation;
 };
 
-/// The descriptors of all surfaces. Every kernel is free of DC, so that brightness does not count; the image is
-/// mirrored at its edge. A surface without a pixel on the grid of the stride takes for each pixel the grid pixel above
-/// and to the left of it. The result is the same for any number of threads.
-std::vector<GaborDescriptor> describe(const GaborBank& bank, const cv::Mat& grey, const SurfaceSet& surfaces);
+/// The descriptors of all surfaces, whose pixels' grid pixels must be in the responses' box. A surface without a pixel
+/// on the grid of the stride takes for each pixel the grid pixel that it belongs to. The result is the same for any
+/// number of threads.
+std::vector<GaborDescriptor> describe(const GaborBank& bank, const GaborResponses& responses,
+                                      const SurfaceSet& surfaces);
 
 }  // namespace gestalt

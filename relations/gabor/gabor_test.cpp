@@ -69,6 +69,11 @@ double defined_magnitude(const GaborBank& bank, const cv::Mat& grey, int u, int 
   return std::abs(image_wave - wave_sum / gauss_sum * image_gauss) / gauss_sum;
 }
 
+std::vector<GaborDescriptor> describe(const GaborBank& bank, const cv::Mat& grey, const SurfaceSet& surfaces) {
+  const cv::Mat_<float> measured(grey.size(), 1.f);
+  return describe(bank, GaborResponses(bank, grey, grid_box(measured, bank.stride)), surfaces);
+}
+
 /// Largest difference of describe() from the definition over some single pixels.
 void expect_defined_magnitudes(const GaborBank& bank, cv::Size size, const std::vector<cv::Point>& at) {
   const cv::Mat grey = random_grey(size, 7);
@@ -147,6 +152,22 @@ TEST(GaborBank, GivesTheSameForAnyNumberOfThreads) {
     EXPECT_EQ(one[i].mean, eight[i].mean);
     EXPECT_EQ(one[i].deviation, eight[i].deviation);
   }
+}
+
+// What is outside the box counts for the responses within it, and is not computed.
+TEST(GaborBank, AnswersInABoxAsInTheWholeImage) {
+  const GaborBank bank;
+  const cv::Mat grey = random_grey({90, 70}, 5);
+  cv::Mat_<float> depth(grey.size(), 0.f);
+  EXPECT_TRUE(grid_box(depth, bank.stride).empty());
+  depth(cv::Rect(21, 15, 32, 22)).setTo(1);
+  const cv::Rect box = grid_box(depth, bank.stride);
+  EXPECT_EQ(box, cv::Rect(10, 7, 17, 12));
+  const GaborResponses part(bank, grey, box), whole(bank, grey, {0, 0, 45, 35});
+  for (int row = box.y; row < box.y + box.height; ++row)
+    for (std::size_t filter = 0; filter < bank.filters(); ++filter)
+      for (int column = box.x; column < box.x + box.width; ++column)
+        ASSERT_EQ(*part.at(row, filter, column), *whole.at(row, filter, column)) << row << ' ' << filter;
 }
 
 TEST(GaborBank, OfNoSurfaceIsEmpty) {

@@ -11,6 +11,10 @@ namespace gestalt {
 
 namespace {
 
+struct Edges final : Observation {
+  cv::Mat image;  // CV_8UC1, 0 where there is none
+};
+
 class TextureQuantityMeasure final : public Measure {
  public:
   TextureQuantityMeasure(const cv::Mat& edges, const SurfaceSet& surfaces) {
@@ -49,11 +53,16 @@ const std::vector<RelationValue>& TextureQuantity::values() const {
   return values;
 }
 
+std::unique_ptr<Observation> TextureQuantity::observe(const Images& images) const {
+  auto edges = std::make_unique<Edges>();
+  cv::Mat smooth;
+  cv::blur(images.grey(), smooth, cv::Size(params_.blur, params_.blur));
+  cv::Canny(smooth, edges->image, params_.low_threshold, params_.high_threshold);
+  return edges;
+}
+
 std::unique_ptr<Measure> TextureQuantity::bind(const Scene& scene) const {
-  cv::Mat smooth, edges;
-  cv::blur(scene.grey(), smooth, cv::Size(params_.blur, params_.blur));
-  cv::Canny(smooth, edges, params_.low_threshold, params_.high_threshold);
-  return std::make_unique<TextureQuantityMeasure>(edges, scene.surfaces());
+  return std::make_unique<TextureQuantityMeasure>(scene.observed<Edges>(*this).image, scene.surfaces());
 }
 
 }  // namespace gestalt

@@ -21,6 +21,7 @@ class TextureQuantity final : public Relation {
   explicit TextureQuantity(const Params& params) : params_(params) {}
   const std::vector<RelationValue>& values() const override;
   bool needs_colour() const override { return true; }
+  std::unique_ptr<Observation> observe(const Images& images) const override;
   std::unique_ptr<Measure> bind(const Scene& scene) const override;
 
  private:

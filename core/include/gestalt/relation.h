@@ -26,6 +26,12 @@ struct SurfacePair {
   const Adjacency* border;
 };
 
+/// What a relation makes of a frame's images alone.
+class GESTALT_EXPORT Observation {
+ public:
+  virtual ~Observation();
+};
+
 /// A relation bound to one scene: descriptors of all patches are there, a pair is cheap.
 class GESTALT_EXPORT Measure {
  public:
@@ -43,11 +49,16 @@ class GESTALT_EXPORT Relation {
 
   virtual const std::vector<RelationValue>& values() const = 0;
 
-  /// True when bind() reads the colour image.
+  /// True when observe() or bind() reads the colour image.
   virtual bool needs_colour() const { return false; }
 
   /// True when the values mean something only for surfaces that touch in the image.
   virtual bool needs_border() const { return false; }
+
+  /// The part of bind()'s work that needs no surfaces, such as filtering an image: it is done while the levels below
+  /// leave threads idle. bind() gets it by Scene::observed(). Null, as by default, when there is none. Const and
+  /// thread-safe.
+  virtual std::unique_ptr<Observation> observe(const Images& images) const;
 
   /// Computes the descriptors of every surface. The scene outlives the measure. Const and thread-safe.
   virtual std::unique_ptr<Measure> bind(const Scene& scene) const = 0;

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <mutex>
 #include <opencv2/core.hpp>
 
@@ -9,6 +10,7 @@
 #include "gestalt/closure.h"
 #include "gestalt/contour.h"
 #include "gestalt/frame.h"
+#include "gestalt/images.h"
 #include "gestalt/outline.h"
 #include "gestalt/patch_map.h"
 #include "gestalt/surface_set.h"
@@ -17,22 +19,29 @@ namespace gestalt {
 
 /// What a relation sees of a frame: the results of the levels below, and what is derived from them that several
 /// relations share. Each derived image is made once, by whoever asks first; asking is thread-safe.
-/// Keeps references: frame, patches and surfaces must outlive it.
+/// Keeps references: images or frame, patches and surfaces must outlive it.
 class GESTALT_EXPORT Scene {
  public:
+  Scene(const Images& images, const PatchMap& patches, const SurfaceSet& surfaces);
+
+  /// With images of its own.
   Scene(const Frame& frame, const PatchMap& patches, const SurfaceSet& surfaces);
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  const Frame& frame() const { return frame_; }
+  const Frame& frame() const { return images_.frame(); }
   const PatchMap& patches() const { return patches_; }
   const SurfaceSet& surfaces() const { return surfaces_; }
 
-  /// CV_8UC1. Throws InputError when the frame has no colour.
-  const cv::Mat& grey() const;
+  /// Images::grey() and Images::yuv().
+  const cv::Mat& grey() const { return images_.grey(); }
+  const cv::Mat& yuv() const { return images_.yuv(); }
 
-  /// CV_8UC3 in the order Y, U, V. Throws InputError when the frame has no colour.
-  const cv::Mat& yuv() const;
+  /// What a relation observed in the images, which must be a T.
+  template <class T>
+  const T& observed(const Relation& relation) const {
+    return static_cast<const T&>(*images_.observation(relation));
+  }
 
   /// The contours of every surface, by its index.
   const std::vector<std::vector<Contour>>& contours() const;
@@ -47,11 +56,11 @@ class GESTALT_EXPORT Scene {
   const std::vector<Outline>& outlines() const;
 
  private:
-  const Frame& frame_;
+  const std::unique_ptr<const Images> own_images_;
+  const Images& images_;
   const PatchMap& patches_;
   const SurfaceSet& surfaces_;
-  mutable std::once_flag grey_once_, yuv_once_, contours_once_, outlines_once_, lines_once_, closures_once_;
-  mutable cv::Mat grey_, yuv_;
+  mutable std::once_flag contours_once_, outlines_once_, lines_once_, closures_once_;
   mutable std::vector<std::vector<Contour>> contours_;
   mutable std::vector<Outline> outlines_;
   mutable BoundaryLines lines_;
