@@ -7,8 +7,7 @@
 #include <thread>
 
 #include "gestalt/error.h"
-#include "gestalt/input.h"
-#include "gestalt/natural_order.h"
+#include "gestalt/scene_path.h"
 
 namespace gestalt::app {
 
@@ -40,9 +39,7 @@ void FolderSource::look() {
     present.insert(path);
   }
   if (error) throw InputError(folder_.string() + ": cannot be listed: " + error.message());
-  std::sort(new_.begin(), new_.end(), [](const fs::path& a, const fs::path& b) {
-    return natural_less(a.filename().string(), b.filename().string());
-  });
+  std::sort(new_.begin(), new_.end(), scene_less);
   seen_ = std::move(present);
   looked_ = true;
 }

@@ -11,7 +11,7 @@
 
 #include "folder_source.h"
 #include "gestalt/error.h"
-#include "gestalt/input.h"
+#include "gestalt/scene_path.h"
 #include "line_source.h"
 
 namespace gestalt::app {
@@ -23,7 +23,7 @@ std::unique_ptr<FrameSource> open_source(const fs::path& source, bool follow) {
     throw ConfigError("--follow: " + source.string() +
                       " is no folder; lines are followed without it, till their writer closes them");
   if (source == "-") return std::make_unique<LineSource>(STDIN_FILENO, "standard input", fs::path());
-  if (is_scene(source))
+  if (fs::exists(source) && is_scene(source))
     throw InputError(source.string() +
                      ": is a scene, not where scenes come from; give the folder that holds it, or use " +
                      "'gestalt segment'");
