@@ -89,8 +89,9 @@ TEST_F(Stream, ALineTellsOfEveryFrame) {
     EXPECT_GE(line.at("queued_ms"), 0.0);
     EXPECT_GT(line.at("latency_ms"), line.at("queued_ms"));
     EXPECT_EQ(line.at("dropped"), 0);
+    const json told = json::parse(content(result / "result.json"));
     std::size_t objects = 0;
-    for (const json& segment : json::parse(content(result / "result.json")).at("segments"))
+    for (const json& segment : told.at("segments"))
       if (segment.at("role") == "object") ++objects;
     EXPECT_EQ(line.at("objects"), objects);
   }
