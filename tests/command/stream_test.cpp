@@ -2,9 +2,11 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <chrono>
 #include <csignal>
+#include <fstream>
 #include <future>
 #include <nlohmann/json.hpp>
 #include <sstream>
@@ -112,6 +114,14 @@ TEST_F(Stream, ReadsPathsFromStandardInput) {
   const fs::path input = folder.write("input", "\n" + synthetic_scene(1).string() + "\n\nmixed_objects_1_002");
   expect_frames(stream({"-"}, {.folder = synthetic_scenes(), .standard_input = input}), {all_names[1], all_names[2]},
                 0);
+}
+
+TEST_F(Stream, ReadsPathsFromANamedPipe) {
+  const fs::path pipe = folder.path() / "frames";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::fstream driver(pipe);  // for both directions, which does not wait for a reader
+  driver << paths({1, 2}) << std::flush;
+  expect_frames(stream({pipe, "--idle", "0.1"}), {all_names[1], all_names[2]}, 0);
 }
 
 TEST_F(Stream, PathsInAFileBeginAtItsFolder) {
