@@ -44,7 +44,7 @@ std::string paths(const std::vector<int>& scenes) {
 }
 
 /// Every test has an empty folder for its results.
-class Stream : public testing::Test {
+class StreamCommand : public testing::Test {
  protected:
   Outcome stream(const Texts& arguments, const Surroundings& surroundings = {}) const {
     return run_gestalt(joined({"stream", "--output", out}, arguments), surroundings);
@@ -65,7 +65,7 @@ class Stream : public testing::Test {
   const fs::path out = folder.path() / "out";
 };
 
-TEST_F(Stream, AFolderGivesWhatSegmentGives) {
+TEST_F(StreamCommand, AFolderGivesWhatSegmentGives) {
   const fs::path segmented = folder.path() / "segmented";
   expect_success(run_gestalt({"segment", synthetic_scenes(), "--output", segmented}));
   expect_frames(stream({synthetic_scenes()}), all_names, 0);
@@ -82,7 +82,7 @@ TEST_F(Stream, AFolderGivesWhatSegmentGives) {
   }
 }
 
-TEST_F(Stream, ALineTellsOfEveryFrame) {
+TEST_F(StreamCommand, ALineTellsOfEveryFrame) {
   const std::vector<json> lines = lines_of(stream({synthetic_scenes()}));
   ASSERT_EQ(lines.size(), 4u);
   for (const json& line : lines) {
@@ -99,24 +99,24 @@ TEST_F(Stream, ALineTellsOfEveryFrame) {
   }
 }
 
-TEST_F(Stream, AQueueOfOneLosesNoFrameAndKeepsTheirOrder) {
+TEST_F(StreamCommand, AQueueOfOneLosesNoFrameAndKeepsTheirOrder) {
   const fs::path list = folder.write("list.txt", paths({2, 0, 3, 1}));
   expect_frames(stream({list, "--queue", "1"}), {all_names[2], all_names[0], all_names[3], all_names[1]}, 0);
 }
 
-TEST_F(Stream, OfFramesThatComeAtOnceTheNewestIsNotDropped) {
+TEST_F(StreamCommand, OfFramesThatComeAtOnceTheNewestIsNotDropped) {
   expect_frames(stream({folder.write("list.txt", paths({2, 0, 3, 1})), "--drop"}), {all_names[1]}, 3);
   fs::remove_all(out);
   expect_frames(stream({synthetic_scenes(), "--drop"}), {all_names[3]}, 3);
 }
 
-TEST_F(Stream, ReadsPathsFromStandardInput) {
+TEST_F(StreamCommand, ReadsPathsFromStandardInput) {
   const fs::path input = folder.write("input", "\n" + synthetic_scene(1).string() + "\n\nmixed_objects_1_002");
   expect_frames(stream({"-"}, {.folder = synthetic_scenes(), .standard_input = input}), {all_names[1], all_names[2]},
                 0);
 }
 
-TEST_F(Stream, ReadsPathsFromANamedPipe) {
+TEST_F(StreamCommand, ReadsPathsFromANamedPipe) {
   const fs::path pipe = folder.path() / "frames";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
   std::fstream driver(pipe);  // for both directions, which does not wait for a reader
@@ -124,13 +124,13 @@ TEST_F(Stream, ReadsPathsFromANamedPipe) {
   expect_frames(stream({pipe, "--idle", "0.1"}), {all_names[1], all_names[2]}, 0);
 }
 
-TEST_F(Stream, PathsInAFileBeginAtItsFolder) {
+TEST_F(StreamCommand, PathsInAFileBeginAtItsFolder) {
   fs::copy(synthetic_scenes(), folder.path() / "scenes", fs::copy_options::recursive);
   const fs::path list = folder.write("scenes/list.txt", "mixed_objects_1_001\n");
   expect_frames(stream({list}, {.folder = "/"}), {all_names[1]}, 0);
 }
 
-TEST_F(Stream, AFrameThatFailsDoesNotEndTheStream) {
+TEST_F(StreamCommand, AFrameThatFailsDoesNotEndTheStream) {
   const fs::path list = folder.write("list.txt", paths({0}) + "missing_scene\n" + paths({1}));
   const Outcome outcome = stream({list});
   EXPECT_EQ(outcome.code, 1);
@@ -140,7 +140,7 @@ TEST_F(Stream, AFrameThatFailsDoesNotEndTheStream) {
   EXPECT_EQ(occurrences("2 frames, 0 dropped, 1 failed", outcome.err), 1) << outcome.err;
 }
 
-TEST_F(Stream, FollowsAFolderTillItIsInterrupted) {
+TEST_F(StreamCommand, FollowsAFolderTillItIsInterrupted) {
   const fs::path scenes = folder.path() / "scenes";
   fs::create_directories(scenes);
   fs::copy(synthetic_scenes() / "camera.yaml", scenes);
@@ -165,18 +165,18 @@ TEST_F(Stream, FollowsAFolderTillItIsInterrupted) {
   }
 }
 
-TEST_F(Stream, EndsWhenNoFrameHasComeForSomeTime) {
+TEST_F(StreamCommand, EndsWhenNoFrameHasComeForSomeTime) {
   expect_frames(stream({synthetic_scenes(), "--follow", "--idle", "0.1"}), all_names, 0);
 }
 
-TEST_F(Stream, NothingToDoIsNoError) {
+TEST_F(StreamCommand, NothingToDoIsNoError) {
   const Outcome outcome = stream({folder.write("empty.txt", "")});
   EXPECT_EQ(outcome.code, 0);
   EXPECT_EQ(outcome.out, "");
   EXPECT_EQ(outcome.err, "gestalt: 0 frames, 0 dropped, 0 failed\n");
 }
 
-TEST_F(Stream, RefusesWhatIsNoSource) {
+TEST_F(StreamCommand, RefusesWhatIsNoSource) {
   expect_refused(stream({folder.path() / "missing"}), 3, {"missing: cannot be read", "one path a line"});
   expect_refused(stream({synthetic_scene()}), 3, {"mixed_objects_1_000: is a scene", "gestalt segment"});
   expect_refused(stream({folder.write("list.txt", ""), "--follow"}), 2, {"--follow", "list.txt", "no folder"});
