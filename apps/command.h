@@ -19,6 +19,7 @@ enum Exit { success = 0, run_failed = 1, wrong_usage = 2, unusable_input = 3 };
 
 // Each adds its subcommand to the command line and, when it is chosen, sets run. One file each.
 void add_segment(CLI::App& app, Run& run);
+void add_stream(CLI::App& app, Run& run);
 void add_train(CLI::App& app, Run& run);
 void add_evaluate(CLI::App& app, Run& run);
 void add_synthesize(CLI::App& app, Run& run);

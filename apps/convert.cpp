@@ -5,6 +5,7 @@
 
 #include <map>
 #include <memory>
+#include <mutex>
 #include <string>
 #include <vector>
 
@@ -51,13 +52,17 @@ Source open(const Options& options) {
 int convert(const Options& options) {
   const Source source = open(options);
   std::map<std::string, std::map<std::string, std::string>> categories;  // of the scenes of each set
+  std::mutex categories_in_use;
   const int code = for_each_scene(source.scenes, [&](const fs::path& path) {
     const std::string name = scene_name(path);
     const ConvertedScene scene = source.read(path);
     const auto [set, category] = osd_scene(name);
     const fs::path folder = options.output / set / name;
     write_scene_folder(folder, scene.images, scene.camera);
-    if (!category.empty()) categories[set][name] = category;
+    if (!category.empty()) {
+      const std::lock_guard lock(categories_in_use);
+      categories[set][name] = category;
+    }
     return folder.string() + ": " + std::to_string(scene.objects) + " objects" +
            (category.empty() ? "" : ", " + category);
   });

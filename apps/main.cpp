@@ -48,6 +48,7 @@ int main(int argc, char** argv) {
   app.footer("Exit codes: 0 success, 1 the run failed, 2 wrong usage or config, 3 unusable input.");
   Run run;
   add_segment(app, run);
+  add_stream(app, run);
   add_train(app, run);
   add_evaluate(app, run);
   add_ablate(app, run);

@@ -3,8 +3,11 @@
 
 #include "scene_batch.h"
 
+#include <tbb/global_control.h>
+#include <tbb/parallel_pipeline.h>
+#include <tbb/task_arena.h>
+
 #include <iostream>
-#include <string>
 
 #include "command.h"
 #include "gestalt/error.h"
@@ -12,31 +15,72 @@
 
 namespace gestalt::app {
 
-int for_each_scene(const std::vector<std::filesystem::path>& scenes,
-                   const std::function<std::string(const std::filesystem::path&)>& work) {
-  const ProgressBar bar(scenes.size());
-  std::size_t failed = 0;
-  const auto fail = [&](const std::string& message) {
-    bar.clear();
-    std::cerr << "gestalt: error: " << message << '\n';
-    ++failed;
-  };
-  for (std::size_t i = 0; i < scenes.size(); ++i) {
-    bar.show(i, scenes[i].filename().string());
+namespace {
+
+/// What came of a scene.
+struct Outcome {
+  std::string line;
+  bool failed = false;
+};
+
+/// Runs work(scene) on its own: what it throws stays in the outcome, so that it does not cancel the other scenes, and a
+/// thread that waits inside it does not start another scene, so that no more scenes are in memory than threads run.
+Outcome outcome_of(const std::filesystem::path& scene, const SceneWork& work) {
+  return tbb::this_task_arena::isolate([&]() -> Outcome {
     try {
-      const std::string line = work(scenes[i]);
-      bar.clear();
-      std::cout << line << std::endl;
-    } catch (const Error& error) {
-      if (scenes.size() == 1) throw;
-      fail(error.what());
+      return {work(scene)};
     } catch (const std::exception& error) {
-      // Not one of ours, such as no memory: it does not name what was being read.
-      const std::string message = scenes[i].string() + ": " + error.what();
-      if (scenes.size() == 1) throw Error(message);
-      fail(message);
+      return {failure_message(scene, error), true};
     }
+  });
+}
+
+/// The exit code tells why the only scene failed.
+int only(const std::filesystem::path& scene, const SceneWork& work) {
+  try {
+    std::cout << work(scene) << std::endl;
+  } catch (const Error&) {
+    throw;
+  } catch (const std::exception& error) {
+    throw Error(failure_message(scene, error));
   }
+  return success;
+}
+
+}  // namespace
+
+std::string failure_message(const std::filesystem::path& scene, const std::exception& error) {
+  return dynamic_cast<const Error*>(&error) ? error.what() : scene.string() + ": " + error.what();
+}
+
+int for_each_scene(const std::vector<std::filesystem::path>& scenes, const SceneWork& work) {
+  if (scenes.size() == 1) return only(scenes[0], work);
+  const ProgressBar bar(scenes.size());
+  std::size_t next = 0, reported = 0, failed = 0;
+  const auto show = [&] {
+    if (reported < scenes.size()) bar.show(reported, scenes[reported].filename().string());
+  };
+  const auto report = [&](const Outcome& outcome) {
+    bar.clear();
+    if (outcome.failed) {
+      std::cerr << "gestalt: error: " << outcome.line << '\n';
+      ++failed;
+    } else {
+      std::cout << outcome.line << std::endl;
+    }
+    ++reported;
+    show();
+  };
+  show();
+  // A slow scene holds back the lines of those after it, which are all that is kept of them, but not their work.
+  const std::size_t started = 8 * tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
+  tbb::parallel_pipeline(
+      started, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) {
+                 if (next == scenes.size()) control.stop();
+                 return next++;
+               }) & tbb::make_filter<std::size_t, Outcome>(tbb::filter_mode::parallel, [&](std::size_t i) {
+                 return outcome_of(scenes[i], work);
+               }) & tbb::make_filter<Outcome, void>(tbb::filter_mode::serial_in_order, report));
   bar.clear();
   if (failed > 0) std::cerr << "gestalt: " << failed << " of " << scenes.size() << " scenes failed\n";
   return failed > 0 ? run_failed : success;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <cstddef>
 #include <exception>
 #include <filesystem>
 #include <functional>
@@ -11,11 +10,16 @@
 
 namespace gestalt::app {
 
-/// Calls work for every scene in order and prints the line that it gives. A scene that fails is reported on stderr and
-/// does not stop the others. With more than one scene and stderr on a terminal a progress bar is shown. Gives the exit
-/// code: success, run_failed when some scenes failed; rethrows when the only scene failed, so that the exit code tells
-/// why.
-int for_each_scene(const std::vector<std::filesystem::path>& scenes,
-                   const std::function<std::string(const std::filesystem::path&)>& work);
+/// Does what there is to do for a scene and gives a line to print.
+using SceneWork = std::function<std::string(const std::filesystem::path&)>;
+
+/// Calls work for every scene, for several at once where there are threads, and prints the lines that it gives in the
+/// order of the scenes. A scene that fails is reported on stderr and does not stop the others. With more than one scene
+/// and stderr on a terminal a progress bar is shown. Gives the exit code: success, run_failed when some scenes failed.
+/// What the only scene throws is passed on, so that the exit code tells why.
+int for_each_scene(const std::vector<std::filesystem::path>& scenes, const SceneWork& work);
+
+/// What to report of a scene that failed: an error that is not one of ours, such as no memory, does not name it.
+std::string failure_message(const std::filesystem::path& scene, const std::exception& error);
 
 }  // namespace gestalt::app

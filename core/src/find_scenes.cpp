@@ -7,6 +7,7 @@
 
 #include "gestalt/error.h"
 #include "gestalt/input.h"
+#include "gestalt/scene_path.h"
 #include "natural_order.h"
 
 namespace gestalt {
@@ -32,21 +33,27 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
   std::vector<fs::path> scenes;
   fs::directory_iterator entry(folder, error);
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
-    std::error_code ignored;
     const fs::path& path = entry->path();
-    if (fs::is_directory(path, ignored) ? is_scene_folder(path) : is_cloud(path)) scenes.push_back(path);
+    if (is_scene(path)) scenes.push_back(path);
   }
   if (error) throw InputError(folder.string() + ": cannot be listed: " + error.message());
   if (scenes.empty())
     throw InputError(folder.string() +
                      ": holds no scene; give a folder with depth.png (and rgb.png), a .pcd file, or a folder of those");
-  std::sort(scenes.begin(), scenes.end(), [](const fs::path& a, const fs::path& b) {
-    return natural_less(a.filename().string(), b.filename().string());
-  });
+  std::sort(scenes.begin(), scenes.end(), scene_less);
   return scenes;
 }
 
 }  // namespace
+
+bool is_scene(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored) ? is_scene_folder(path) : is_cloud(path);
+}
+
+bool scene_less(const fs::path& a, const fs::path& b) {
+  return natural_less(a.filename().string(), b.filename().string());
+}
 
 std::string scene_name(const fs::path& scene) {
   std::error_code error;

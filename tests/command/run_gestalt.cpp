@@ -23,8 +23,12 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Becomes the command. Runs between fork and exec.
-[[noreturn]] void become(char* const* arguments, char* const* variables, const char* folder, const char* out,
-                         const char* err) {
+[[noreturn]] void become(char* const* arguments, char* const* variables, const char* folder, const char* in,
+                         const char* out, const char* err) {
+  if (*in) {
+    const int in_file = ::open(in, O_RDONLY);
+    if (in_file < 0 || ::dup2(in_file, STDIN_FILENO) < 0) ::_exit(127);
+  }
   const int out_file = ::open(out, O_WRONLY | O_CREAT, 0600), err_file = ::open(err, O_WRONLY | O_CREAT, 0600);
   if (out_file < 0 || err_file < 0 || ::dup2(out_file, STDOUT_FILENO) < 0 || ::dup2(err_file, STDERR_FILENO) < 0)
     ::_exit(127);
@@ -36,6 +40,7 @@ namespace {
 
 std::vector<char*> pointers(std::vector<std::string>& texts) {
   std::vector<char*> result;
+  result.reserve(texts.size() + 1);
   for (std::string& text : texts) result.push_back(text.data());
   result.push_back(nullptr);
   return result;
@@ -59,12 +64,12 @@ Outcome run_gestalt(const std::vector<std::string>& arguments, const Surrounding
   std::vector<std::string> variables = surroundings.variables;
   for (char** variable = environ; *variable; ++variable) variables.emplace_back(*variable);
   const std::vector<char*> argv = pointers(words), envp = pointers(variables);
-  const std::string folder = surroundings.folder, err = streams.path() / "err",
+  const std::string folder = surroundings.folder, in = surroundings.standard_input, err = streams.path() / "err",
                     out = surroundings.standard_output.empty() ? streams.path() / "out" : surroundings.standard_output;
 
   const pid_t child = ::fork();
   if (child < 0) throw std::runtime_error("the command cannot be started");
-  if (child == 0) become(argv.data(), envp.data(), folder.c_str(), out.c_str(), err.c_str());
+  if (child == 0) become(argv.data(), envp.data(), folder.c_str(), in.c_str(), out.c_str(), err.c_str());
   if (!surroundings.interrupt_after.empty()) interrupt(child, surroundings.interrupt_after, surroundings.signal);
   int status = 0;
   ::waitpid(child, &status, 0);

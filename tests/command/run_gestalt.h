@@ -28,6 +28,7 @@ struct Outcome {
 struct Surroundings {
   std::filesystem::path folder = {};           ///< current folder; empty: that of the test
   std::vector<std::string> variables = {};     ///< NAME=value, beside those of the test
+  std::filesystem::path standard_input = {};   ///< file or device to read from; empty: that of the test
   std::filesystem::path standard_output = {};  ///< file or device to write to; empty: kept in Outcome::out
   std::filesystem::path interrupt_after = {};  ///< the signal is sent once this file is there; empty: never
   int signal = SIGINT;

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgcodecs.hpp>
 #include <set>
+#include <sstream>
 
 #include "gestalt/input.h"
 #include "run_gestalt.h"
@@ -301,6 +302,25 @@ TEST_F(Segment, ASceneThatFailsDoesNotStopTheOthers) {
   EXPECT_FALSE(fs::exists(out / "mixed_objects_1_001"));
 }
 
+TEST_F(Segment, LinesAndErrorsAreInTheOrderOfTheScenes) {
+  // Slow scenes before fast ones, which are done first, and one that fails at once.
+  std::vector<std::string> scenes;
+  for (int i = 0; i < 4; ++i) {
+    scenes.push_back(synthetic_scene(i));
+    scenes.push_back(write_scene(folder.path() / ("wall" + std::to_string(i)), small_wall()));
+  }
+  truncate(scenes[3] + "/depth.png", 0.5);
+  const Outcome outcome = segment(joined(scenes, {"--threads", "4"}));
+  EXPECT_EQ(outcome.code, 1) << outcome.err;
+  EXPECT_EQ(occurrences("wall1/depth.png: is truncated", outcome.err), 1) << outcome.err;
+  std::string names;
+  std::istringstream lines(outcome.out);
+  for (std::string line; std::getline(lines, line);)
+    names += fs::path(line.substr(0, line.find(": "))).filename().string() + " ";
+  EXPECT_EQ(names,
+            "mixed_objects_1_000 wall0 mixed_objects_1_001 mixed_objects_1_002 wall2 mixed_objects_1_003 wall3 ");
+}
+
 TEST_F(Segment, NothingIsWrittenWhenAResultCannotBe) {
   fs::create_directories(out / "mixed_objects_1_000" / "result.json");
   expect_refused(segment({synthetic_scene()}), 1, {(out / "mixed_objects_1_000" / "result.json").string(), "--output"});
@@ -351,7 +371,7 @@ TEST_F(Segment, AnInterruptedRunLeavesWholeScenesOnly) {
     fs::create_directory_symlink(synthetic_scene(), folder.path() / "scenes" / std::to_string(i));
   const Outcome outcome = segment({folder.path() / "scenes"}, {.interrupt_after = out / "1" / "result.json"});
   EXPECT_EQ(outcome.code, 128 + SIGINT) << outcome.err;
-  EXPECT_EQ(files_below(out / "0"), result_files);
+  EXPECT_EQ(files_below(out / "1"), result_files);
   EXPECT_FALSE(fs::exists(out / std::to_string(count - 1)));
   for (int i = 0; i < count; ++i) {
     const fs::path result = out / std::to_string(i);

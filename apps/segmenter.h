@@ -1,0 +1,53 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <optional>
+
+#include "gestalt/input.h"
+#include "gestalt/pipeline.h"
+#include "pipeline_options.h"
+
+namespace gestalt::app {
+
+struct SegmenterOptions {
+  std::filesystem::path output = "out";
+  std::filesystem::path camera;  ///< empty: that of each scene
+  bool debug_images = false;
+  PipelineOptions pipeline;
+};
+
+void add_segmenter_options(CLI::App& command, SegmenterOptions& options);
+
+/// What was found in a scene.
+struct SegmentedScene {
+  std::filesystem::path folder;  ///< of the results
+  std::size_t objects = 0;       ///< the segments that are no background
+  std::size_t segments = 0;
+  std::size_t patches = 0;
+  double milliseconds = 0;  ///< of all levels
+};
+
+/// Segments scenes and writes their results, each into a folder of its own.
+class Segmenter {
+ public:
+  /// Loads config, plugins and model.
+  explicit Segmenter(const SegmenterOptions& options);
+
+  /// May be called from many threads.
+  SegmentedScene segment(const std::filesystem::path& scene) const;
+
+ private:
+  std::filesystem::path output_;
+  bool debug_images_;
+  LoadedConfig loaded_;
+  nlohmann::json config_;  ///< as results tell it
+  Pipeline pipeline_;
+  Models models_;
+  std::optional<CameraFile> camera_;
+};
+
+}  // namespace gestalt::app
