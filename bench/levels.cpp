@@ -2,7 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 // Each level of each bundled config alone, on one synthetic scene and the results of the levels below. Unlike in a
-// pipeline the two levels of grouping share nothing here: each binds its own relations.
+// pipeline the two levels of grouping share nothing here: each binds its own relations; and the decision is the
+// solver's alone, without the roles of the surfaces.
 
 #include <benchmark/benchmark.h>
 
@@ -33,11 +34,9 @@ class Levels {
     for (auto _ : state) benchmark::DoNotOptimize(clusterer->cluster(frame_));
   }
 
+  /// By the pipeline's own clock.
   void primitive(benchmark::State& state) const {
-    std::vector<std::shared_ptr<const Fitter>> fitters;
-    for (const ComponentConfig& fitter : config().fitters) fitters.push_back(create<Fitter>(fitter));
-    const auto params = SurfaceModellingParams::parameters().read(config().surface_modelling);
-    for (auto _ : state) benchmark::DoNotOptimize(model_surfaces(frame_, percept_.patches, fitters, params));
+    for (auto _ : state) state.SetIterationTime(segmenter_.pipeline.perceive(frame_).times.primitive / 1000);
   }
 
   void structural(benchmark::State& state) const {
@@ -52,11 +51,7 @@ class Levels {
 
   void decision(benchmark::State& state) const {
     const auto solver = create<Solver>(config().solver);
-    const auto params = FigureGroundParams::parameters().read(config().figure_ground);
-    for (auto _ : state) {
-      benchmark::DoNotOptimize(find_roles(frame_, percept_.surfaces, params));
-      benchmark::DoNotOptimize(solver->solve(graph_));
-    }
+    for (auto _ : state) benchmark::DoNotOptimize(solver->solve(graph_));
   }
 
  private:
@@ -89,15 +84,15 @@ class Levels {
 
 void add_benchmarks(const std::string& config, const std::shared_ptr<const Levels>& levels) {
   const auto add = [&](const std::string& level, void (Levels::*run)(benchmark::State&) const) {
-    benchmark::RegisterBenchmark((config + '/' + level).c_str(), [levels, run](auto& state) { (*levels.*run)(state); })
-        ->Unit(benchmark::kMillisecond)
-        ->UseRealTime();
+    return benchmark::RegisterBenchmark((config + '/' + level).c_str(),
+                                        [levels, run](benchmark::State& state) { (*levels.*run)(state); })
+        ->Unit(benchmark::kMillisecond);
   };
-  add("signal", &Levels::signal);
-  add("primitive", &Levels::primitive);
-  add("structural", &Levels::structural);
-  if (levels->with_assembly()) add("assembly", &Levels::assembly);
-  add("decision", &Levels::decision);
+  add("signal", &Levels::signal)->UseRealTime();
+  add("primitive", &Levels::primitive)->UseManualTime();
+  add("structural", &Levels::structural)->UseRealTime();
+  if (levels->with_assembly()) add("assembly", &Levels::assembly)->UseRealTime();
+  add("decision", &Levels::decision)->UseRealTime();
 }
 
 }  // namespace

@@ -4,6 +4,7 @@
 // How time grows with the size of a frame: with its pixels (one synthetic scene at several resolutions, the whole
 // frame), with its patches (frames of facets, the structural level) and with the pairs of these (the assembly level).
 
+#include <algorithm>
 #include <functional>
 #include <iomanip>
 #include <iostream>
@@ -24,8 +25,8 @@ using nlohmann::ordered_json;
 /// A frame and the times of its runs.
 struct Measured {
   Frame frame;
-  std::size_t patches = 0;
-  std::size_t pairs = 0;  ///< of the assembly level
+  std::size_t patches = 0;  ///< that are large enough for relations at the structural level
+  std::size_t pairs = 0;    ///< of the assembly level
   std::vector<LevelTimes> runs{};
 
   double median_of(const std::function<double(const LevelTimes&)>& level) const {
@@ -39,7 +40,11 @@ struct Measured {
 void run(std::vector<Measured>& all, const Segmenter& segment, int repeats) {
   for (Measured& one : all) {
     const gestalt::Percept percept = segment.pipeline.perceive(one.frame);
-    one.patches = percept.surfaces.surfaces.size();
+    const double smallest = segment.pipeline.config().structural.minimum_size * percept.pixel_density;
+    const auto& surfaces = percept.surfaces.surfaces;
+    one.patches = std::size_t(std::count_if(surfaces.begin(), surfaces.end(), [&](const gestalt::Surface& surface) {
+      return double(surface.pixels.size()) >= smallest;
+    }));
     one.pairs = percept.assembly.pairs.size();
   }
   for (int repeat = 0; repeat < repeats; ++repeat)
