@@ -8,7 +8,7 @@
 namespace gestalt::bench {
 
 Frame facets(int columns, int rows) {
-  constexpr double distance = 0.8, slope = 0.5;
+  constexpr double distance = 0.8, slope = 1;
   const Camera camera = kinect_camera();
   cv::Mat_<float> depth(camera.height, camera.width);
   cv::Mat colour(depth.size(), CV_8UC3);
