@@ -22,7 +22,7 @@ void add_measuring(CLI::App& app, Options& options) {
   app.add_option("--json", options.json, "Write the figures to this file")->type_name("FILE");
   app.add_flag_callback(
       "--quick", [&options] { options.quick = true, options.synthetic = options.repeats = 1; },
-      "One frame, one run: whether it works, not how fast");
+      "One run of each, one synthetic frame: whether it works, not how fast");
 }
 
 void write_report(const Options& options, const nlohmann::ordered_json& report) {

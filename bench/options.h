@@ -24,7 +24,8 @@ struct Options {
 void add_scenes(CLI::App& app, Options& options);
 void add_threads(CLI::App& app, Options& options);
 
-/// --repeats, --quick and --json. Quick means one frame, one run: it shows that a program works, not how fast.
+/// --repeats, --quick and --json. Quick means one run and one synthetic frame: it shows that a program works, not how
+/// fast.
 void add_measuring(CLI::App& app, Options& options);
 
 /// Writes the report where --json asks for it. Throws OutputError.
