@@ -1,12 +1,12 @@
 # SPDX-FileCopyrightText: 2026 The Gestalt authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""report_test.py PROGRAM GESTALT: runs a benchmark once and checks that its report is complete, not what it measured."""
+"""report_test.py PROGRAM GESTALT FILE: runs a benchmark once, which writes its report to FILE, and checks that the
+report is complete, not what it measured."""
 
 import json
 import pathlib
 import subprocess
 import sys
-import tempfile
 
 SPREAD = ("median", "p95", "p99", "worst")
 LEVELS = ("signal", "primitive", "structural", "assembly", "decision")
@@ -18,11 +18,11 @@ def run(program, *arguments):
     return subprocess.run([program, *arguments], check=True, stdout=subprocess.PIPE, text=True).stdout
 
 
-def report_of(program, *arguments):
-    with tempfile.TemporaryDirectory() as folder:
-        file = pathlib.Path(folder) / "report.json"
-        run(program, *(argument.format(file=file) for argument in arguments))
-        return json.loads(file.read_text())
+def report_of(program, file, *arguments):
+    file.parent.mkdir(exist_ok=True)
+    file.unlink(missing_ok=True)
+    run(program, *arguments)
+    return json.loads(file.read_text())
 
 
 def require_numbers(values, names):
@@ -88,12 +88,12 @@ REPORTS = {"bench_frame": check_frame, "bench_compare": check_compare, "bench_sc
            "bench_throughput": check_throughput, "bench_startup": check_startup}
 GOOGLE_BENCHMARKS = {"bench_levels": check_levels, "bench_relations": check_relations, "bench_surfaces": check_surfaces}
 
-program = sys.argv[1]
+program, file = sys.argv[1], pathlib.Path(sys.argv[3])
 name = pathlib.Path(program).name
 if name in REPORTS:
-    REPORTS[name](report_of(program, "--quick", "--json", "{file}"))
+    REPORTS[name](report_of(program, file, "--quick", "--json", file))
 else:
-    report = report_of(program, "--benchmark_min_time=0", "--benchmark_out={file}", "--benchmark_out_format=json")
+    report = report_of(program, file, "--benchmark_min_time=0", f"--benchmark_out={file}", "--benchmark_out_format=json")
     failed = [benchmark for benchmark in report["benchmarks"] if benchmark.get("error_occurred")]
     assert not failed, failed
     GOOGLE_BENCHMARKS[name]({benchmark["name"] for benchmark in report["benchmarks"]})

@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Gestalt authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""write_page.py DIR: brings what docs/benchmarks.md says between its two marks, and docs/growth.svg, up to date with
-the reports of scripts/bench in DIR."""
+"""write_page.py DIR PAGE: brings what a page says between two marks, and growth.svg beside it, up to date with the
+reports of scripts/bench in DIR. The page is docs/benchmarks.md."""
 
 import pathlib
 import platform
@@ -11,7 +11,6 @@ import sys
 from growth_plot import plot
 from targets import Reports, targets
 
-PAGE = pathlib.Path(__file__).parents[1] / "docs" / "benchmarks.md"
 BEGIN, END = "<!-- begin: bench/write_page.py -->\n", "<!-- end: bench/write_page.py -->\n"
 
 CONTESTANTS = {
@@ -83,7 +82,7 @@ def sections(reports):
     yield f"## Against PCL\n\n{compare['frames']} frames, {compare['repeats']} runs each, in turn frame by frame.\n"
     yield comparison(compare)
     yield "## By level\n"
-    yield from (frame(reports[name]) for name in ("frame_default", "frame_realtime", "frame_paper") if reports[name])
+    yield from (frame(reports[name]) for name in ("frame", "frame_realtime", "frame_paper") if reports[name])
     yield "## Growth\n\n![time against pixels, patches and pairs](growth.svg)\n"
     yield growth(reports["scaling"])
     rates = throughput["frames_per_second"]
@@ -95,9 +94,10 @@ def sections(reports):
 
 if __name__ == "__main__":
     results = Reports(sys.argv[1])
-    before, _, rest = PAGE.read_text().partition(BEGIN)
+    page = pathlib.Path(sys.argv[2])
+    before, _, rest = page.read_text().partition(BEGIN)
     _, mark, after = rest.partition(END)
     if not mark:
-        sys.exit(f"{PAGE}: lacks the line {BEGIN.strip()} or {END.strip()}; put back what stands between them")
-    PAGE.write_text(before + BEGIN + "\n" + "\n".join(sections(results)) + "\n" + END + after)
-    (PAGE.parent / "growth.svg").write_text(plot(results["scaling"]))
+        sys.exit(f"{page}: lacks the line {BEGIN.strip()} or {END.strip()}; put back what stands between them")
+    page.write_text(before + BEGIN + "\n" + "\n".join(sections(results)) + "\n" + END + after)
+    (page.parent / "growth.svg").write_text(plot(results["scaling"]))
