@@ -29,7 +29,9 @@ class Axis:
 def short(number):
     if number >= 1e6:
         return f"{number / 1e6:.3g}M"
-    return f"{number / 1e3:.3g}k" if number >= 1e4 else f"{number:.3g}"
+    if number >= 1e4:
+        return f"{number / 1e3:.3g}k"
+    return f"{number:.0f}" if number >= 100 else f"{number:.3g}"
 
 
 def text(x, y, words, anchor="middle"):
