@@ -8,6 +8,7 @@
 #include <sys/wait.h>
 #include <unistd.h>
 
+#include <algorithm>
 #include <array>
 #include <iostream>
 #include <memory>
@@ -61,9 +62,9 @@ void run_silently(const std::vector<const char*>& command) {
   in_child([&] {
     const int null = open("/dev/null", O_WRONLY);
     dup2(null, STDOUT_FILENO);
-    std::vector<char*> arguments;
-    for (const char* word : command) arguments.push_back(const_cast<char*>(word));
-    arguments.push_back(nullptr);
+    std::vector<char*> arguments(command.size() + 1);  // ends with a null
+    std::transform(command.begin(), command.end(), arguments.begin(),
+                   [](auto* word) { return const_cast<char*>(word); });
     execv(arguments.front(), arguments.data());
     throw std::system_error(errno, std::generic_category(), std::string("cannot run ") + command.front());
   });
