@@ -26,6 +26,7 @@ function(gestalt_add_plugin name)
   target_link_libraries(${target} PRIVATE ${target}_algorithm)
   target_link_options(${target} PRIVATE LINKER:-z,defs LINKER:-z,now)
   set_target_properties(${target} PROPERTIES PREFIX "" LIBRARY_OUTPUT_DIRECTORY ${folder} INSTALL_RPATH "$ORIGIN/../..")
+  set_property(GLOBAL APPEND PROPERTY GESTALT_PLUGINS ${target})
   install(TARGETS ${target} DESTINATION ${CMAKE_INSTALL_LIBDIR}/gestalt/plugins)
 
   if(ARG_TEST AND TARGET gestalt_test_scenes)

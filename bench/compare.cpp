@@ -1,0 +1,89 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Whole frames through Gestalt's configs and through PCL's segmenters, in turn frame by frame, so that whatever else
+// the machine does meets all of them alike. Times begin with the frame or the cloud in memory and end with labels.
+
+#include <functional>
+#include <iostream>
+
+#include "frames.h"
+#include "options.h"
+#include "pcl_segmentation.h"
+#include "segmenter.h"
+#include "times.h"
+
+namespace {
+
+using namespace gestalt::bench;
+
+struct Contestant {
+  std::string name;
+  std::function<void(const gestalt::Frame&, const PclCloud::ConstPtr&)> run;
+  std::vector<double> times{};
+};
+
+std::vector<Contestant> contestants() {
+  std::vector<Contestant> all;
+  for (const std::string& config : measured_configs()) {
+    const auto segment = std::make_shared<const Segmenter>(bundled_config(config));
+    all.push_back({config, [segment](const auto& frame, const auto&) { (*segment)(frame); }});
+  }
+  all.push_back({"pcl_normals", [](const auto&, const auto& cloud) { estimate_normals(cloud); }});
+  all.push_back({"pcl_planes", [](const auto&, const auto& cloud) { segment_planes(cloud, estimate_normals(cloud)); }});
+  all.push_back({"pcl_lccp", [](const auto&, const auto& cloud) { segment_convex(cloud); }});
+  return all;
+}
+
+void run(std::vector<Contestant>& all, const Frames& frames, int repeats) {
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const gestalt::Frame frame = frames[i];
+    const PclCloud::ConstPtr cloud = to_pcl(frame);
+    for (int repeat = 0; repeat < repeats; ++repeat)
+      for (Contestant& contestant : all)
+        contestant.times.push_back(milliseconds([&] { contestant.run(frame, cloud); }));
+  }
+}
+
+/// Ratios of medians: of each to each.
+nlohmann::ordered_json ratios(const std::vector<Contestant>& all) {
+  nlohmann::ordered_json ratios;
+  for (const Contestant& one : all)
+    for (const Contestant& other : all)
+      if (one.name != other.name) ratios[one.name][other.name] = median(one.times) / median(other.times);
+  return ratios;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  CLI::App app{"Times Gestalt and PCL's segmenters on the same frames"};
+  Options options;
+  add_scenes(app, options);
+  add_threads(app, options);
+  add_measuring(app, options);
+  CLI11_PARSE(app, argc, argv);
+
+  const ThreadLimit limit(options.threads);
+  std::vector<Contestant> all = contestants();
+  const Frames frames(options.scenes, options.synthetic);
+  run(all, frames, options.repeats);
+  nlohmann::ordered_json report = {
+      {"frames", frames.size()}, {"repeats", options.repeats}, {"threads", options.threads}};
+  for (const Contestant& one : all) report["milliseconds"][one.name] = spread(one.times);
+  report["ratios"] = ratios(all);
+  write_report(options, report);
+
+  std::cout << frames.size() << " frames, " << options.repeats << " runs each, " << options.threads
+            << " threads; milliseconds\n"
+            << heading("") << '\n';
+  for (const Contestant& one : all) std::cout << row(one.name, report["milliseconds"][one.name]) << '\n';
+  std::cout << "medians as multiples of pcl_lccp's:\n";
+  for (const Contestant& one : all)
+    if (one.name != "pcl_lccp")
+      std::cout << "  " << one.name << ' ' << report["ratios"][one.name]["pcl_lccp"].get<double>() << '\n';
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << "bench_compare: error: " << error.what() << '\n';
+  return 1;
+}

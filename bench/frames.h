@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <vector>
+
+#include "gestalt/frame.h"
+
+namespace gestalt::bench {
+
+/// What is measured on: the scenes below some paths or, without paths, synthetic complex scenes. Frames are made when
+/// they are asked for, so that a program which holds one at a time has the peak memory of one.
+class Frames {
+ public:
+  /// Throws InputError as find_scenes() does.
+  Frames(const std::vector<std::filesystem::path>& paths, int synthetic_count);
+
+  std::size_t size() const { return count_; }
+
+  /// Throws InputError as read_scene() does.
+  Frame operator[](std::size_t i) const;
+
+  std::vector<Frame> all() const;
+
+ private:
+  std::vector<std::filesystem::path> scenes_;
+  std::size_t count_;
+};
+
+}  // namespace gestalt::bench

@@ -1,0 +1,36 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "options.h"
+
+#include <opencv2/core/utility.hpp>
+
+#include "gestalt/output_file.h"
+
+namespace gestalt::bench {
+
+void add_scenes(CLI::App& app, Options& options) {
+  app.add_option("scenes", options.scenes, "Scenes or folders of scenes (default: synthetic complex scenes)");
+}
+
+void add_threads(CLI::App& app, Options& options) {
+  app.add_option("--threads", options.threads, "Threads")->check(CLI::Range(1, 1024))->capture_default_str();
+}
+
+void add_measuring(CLI::App& app, Options& options) {
+  app.add_option("--repeats", options.repeats, "Runs of each")->check(CLI::Range(1, 1000))->capture_default_str();
+  app.add_option("--json", options.json, "Write the figures to this file")->type_name("FILE");
+  app.add_flag_callback(
+      "--quick", [&options] { options.quick = true, options.synthetic = options.repeats = 1; },
+      "One run of each, one synthetic frame: whether it works, not how fast");
+}
+
+void write_report(const Options& options, const nlohmann::ordered_json& report) {
+  if (!options.json.empty()) write_file(options.json, report.dump(1) + '\n');
+}
+
+ThreadLimit::ThreadLimit(int threads) : limit_(tbb::global_control::max_allowed_parallelism, std::size_t(threads)) {
+  cv::setNumThreads(threads);
+}
+
+}  // namespace gestalt::bench

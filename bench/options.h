@@ -1,0 +1,43 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <tbb/global_control.h>
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+namespace gestalt::bench {
+
+/// What every program that measures whole frames is told on its command line.
+struct Options {
+  std::vector<std::filesystem::path> scenes;
+  int synthetic = 10;  ///< number of synthetic frames where no scene is given
+  int repeats = 3;     ///< runs of each frame
+  int threads = 2;
+  bool quick = false;
+  std::filesystem::path json;  ///< empty: write none
+};
+
+void add_scenes(CLI::App& app, Options& options);
+void add_threads(CLI::App& app, Options& options);
+
+/// --repeats, --quick and --json. Quick means one run and one synthetic frame: it shows that a program works, not how
+/// fast.
+void add_measuring(CLI::App& app, Options& options);
+
+/// Writes the report where --json asks for it. Throws OutputError.
+void write_report(const Options& options, const nlohmann::ordered_json& report);
+
+/// Limits TBB, which everything of Gestalt uses, and OpenCV to a number of threads while it lives.
+class ThreadLimit {
+ public:
+  explicit ThreadLimit(int threads);
+
+ private:
+  tbb::global_control limit_;
+};
+
+}  // namespace gestalt::bench

@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// Many frames in parallel, one thread against several: frames a second and the gain.
+
+#include <iostream>
+
+#include "frames.h"
+#include "gestalt/for_all.h"
+#include "options.h"
+#include "segmenter.h"
+#include "times.h"
+
+namespace {
+
+using namespace gestalt::bench;
+
+double frames_per_second(const Segmenter& segment, const std::vector<gestalt::Frame>& frames, int threads) {
+  const ThreadLimit limit(threads);
+  const double time =
+      milliseconds([&] { gestalt::for_all(frames.size(), [&](std::size_t i) { segment(frames[i]); }); });
+  return 1000 * double(frames.size()) / time;
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try {
+  CLI::App app{"Frames a second with one thread and with several"};
+  Options options;
+  std::filesystem::path config = gestalt::default_config();
+  add_scenes(app, options);
+  app.add_option("--config", config, "Config file (default: the installed default.yaml)")->type_name("FILE");
+  add_threads(app, options);
+  add_measuring(app, options);
+  CLI11_PARSE(app, argc, argv);
+
+  const Segmenter segment(config);
+  const std::vector<gestalt::Frame> frames = Frames(options.scenes, options.synthetic).all();
+  std::vector<double> one, several;
+  for (int repeat = 0; repeat < options.repeats; ++repeat) {  // in turn: the machine's other work meets both alike
+    one.push_back(frames_per_second(segment, frames, 1));
+    several.push_back(frames_per_second(segment, frames, options.threads));
+  }
+  const nlohmann::ordered_json report = {
+      {"config", config.filename().string()},
+      {"frames", frames.size()},
+      {"repeats", options.repeats},
+      {"threads", options.threads},
+      {"frames_per_second", {{"one_thread", median(one)}, {"all_threads", median(several)}}},
+      {"gain", median(several) / median(one)}};
+  write_report(options, report);
+  std::cout << frames.size() << " frames: " << median(one) << " frames/s with one thread, " << median(several)
+            << " with " << options.threads << ", gain " << report["gain"].get<double>() << '\n';
+  return 0;
+} catch (const std::exception& error) {
+  std::cerr << "bench_throughput: error: " << error.what() << '\n';
+  return 1;
+}

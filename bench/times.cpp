@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "times.h"
+
+#include <algorithm>
+#include <cmath>
+#include <iomanip>
+#include <sstream>
+
+namespace gestalt::bench {
+
+namespace {
+
+constexpr int name_width = 16;
+constexpr int number_width = 9;
+
+}  // namespace
+
+double quantile(std::vector<double> values, double q) {
+  const auto rank = std::ptrdiff_t(std::ceil(q * double(values.size())));
+  const auto chosen = values.begin() + std::max<std::ptrdiff_t>(rank - 1, 0);
+  std::nth_element(values.begin(), chosen, values.end());
+  return *chosen;
+}
+
+nlohmann::ordered_json spread(const std::vector<double>& values) {
+  return {{"median", median(values)},
+          {"p95", quantile(values, 0.95)},
+          {"p99", quantile(values, 0.99)},
+          {"worst", quantile(values, 1)}};
+}
+
+std::string row(const std::string& name, const nlohmann::ordered_json& spread) {
+  std::ostringstream line;
+  line << std::left << std::setw(name_width) << name << std::right << std::fixed << std::setprecision(1);
+  for (const auto& value : spread) line << std::setw(number_width) << value.get<double>();
+  return line.str();
+}
+
+std::string heading(const std::string& name) {
+  std::ostringstream line;
+  line << std::left << std::setw(name_width) << name << std::right;
+  for (const char* column : {"median", "p95", "p99", "worst"}) line << std::setw(number_width) << column;
+  return line.str();
+}
+
+}  // namespace gestalt::bench

@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <chrono>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace gestalt::bench {
+
+/// How long work takes, in milliseconds.
+template <class Work>
+double milliseconds(const Work& work) {
+  const auto start = std::chrono::steady_clock::now();
+  work();
+  return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
+}
+
+/// The smallest of the values, of which there is at least one, that a share q of them do not exceed.
+double quantile(std::vector<double> values, double q);
+
+inline double median(const std::vector<double>& values) { return quantile(values, 0.5); }
+
+/// {"median", "p95", "p99", "worst"} of at least one value.
+nlohmann::ordered_json spread(const std::vector<double>& values);
+
+/// A line "name median p95 p99 worst" of a table, and the line above the table.
+std::string row(const std::string& name, const nlohmann::ordered_json& spread);
+std::string heading(const std::string& name);
+
+}  // namespace gestalt::bench
