@@ -39,11 +39,11 @@ TEST(Configs, AllAreValid) {
     EXPECT_NO_THROW(pipeline_of(entry.path())) << entry.path();
     ++count;
   }
-  EXPECT_GE(count, 53);
+  EXPECT_GE(count, 54);
 }
 
 TEST(Configs, ThoseThatNameAModelHaveIt) {
-  for (const char* name : {"default.yaml", "structural.yaml", "paper.yaml"}) {
+  for (const char* name : {"default.yaml", "realtime.yaml", "structural.yaml", "paper.yaml"}) {
     const Pipeline pipeline = pipeline_of(configs() / name);
     ASSERT_NO_THROW(pipeline.load_models()) << name;
     const Models models = pipeline.load_models();
