@@ -4,12 +4,12 @@
 #include "png_file.h"
 
 #include <boost/crc.hpp>
-#include <opencv2/imgcodecs.hpp>
 #include <string>
 #include <string_view>
 
 #include "file_bytes.h"
 #include "gestalt/error.h"
+#include "png_codec.h"
 
 namespace gestalt {
 
@@ -18,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uint64_t largest_image = std::uint64_t{1} << 26;  // pixels
-constexpr std::uint32_t longest_side = 1u << 20;                 // OpenCV decodes no more
+constexpr std::uint32_t longest_side = 1u << 20;                 // pixels
 
 /// What the IHDR chunk declares (PNG specification, 11.2.2).
 struct PngHeader {
@@ -46,8 +46,7 @@ std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
 
 [[noreturn]] void fail(const fs::path& file, const std::string& what) { throw InputError(file.string() + ": " + what); }
 
-/// Walks all chunks to the end marker and compares their checksums: the decoder fills what is missing with black and
-/// reports damage on stderr, so it must only see complete files.
+/// Walks all chunks to the end marker and compares their checksums, so that the error can name the place.
 PngHeader check_png(const fs::path& file, std::string_view bytes) {
   constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8);
   if (!bytes.starts_with(signature))
@@ -79,45 +78,40 @@ PngHeader check_png(const fs::path& file, std::string_view bytes) {
   return header;
 }
 
-cv::Mat decode(const fs::path& file, std::string& bytes, const PngHeader& header, int flags) {
-  cv::Mat image;
-  try {
-    image = cv::imdecode(cv::Mat(1, int(bytes.size()), CV_8UC1, bytes.data()), flags | cv::IMREAD_IGNORE_ORIENTATION);
-  } catch (const cv::Exception& error) {
-    fail(file, "cannot be decoded (" + error.err + "); write it again");
-  }
-  if (image.cols != int(header.width) || image.rows != int(header.height))
-    fail(file, "cannot be decoded; its pixel data are damaged, write it again");
+cv::Mat decode(const fs::path& file, std::string_view bytes, const PngHeader& header, int type) {
+  cv::Mat image(int(header.height), int(header.width), type);
+  const std::string problem = decode_png(bytes, image);
+  if (!problem.empty()) fail(file, "cannot be decoded (" + problem + "); its pixel data are damaged, write it again");
   return image;
 }
 
 }  // namespace
 
 cv::Mat read_colour_png(const fs::path& file) {
-  std::string bytes = read_bytes(file);
+  const std::string bytes = read_bytes(file);
   const PngHeader header = check_png(file, bytes);
   if (header.bits > 8) fail(file, "is " + header.pixels() + "; save colour with 8 bits a channel");
-  return decode(file, bytes, header, cv::IMREAD_COLOR);
+  return decode(file, bytes, header, CV_8UC3);
 }
 
 cv::Mat_<std::uint16_t> read_depth_png(const fs::path& file) {
-  std::string bytes = read_bytes(file);
+  const std::string bytes = read_bytes(file);
   const PngHeader header = check_png(file, bytes);
   if (header.bits != 16 || header.colour_type != 0)
     fail(file, "is " + header.pixels() +
                    ", depth must be 16-bit grey; save the sensor's depth as uint16 (millimetres, or another unit named "
                    "by depth_scale in camera.yaml), not a picture of it");
-  return decode(file, bytes, header, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH);
+  return decode(file, bytes, header, CV_16UC1);
 }
 
 cv::Mat_<std::uint16_t> read_label_png(const fs::path& file) {
-  std::string bytes = read_bytes(file);
+  const std::string bytes = read_bytes(file);
   const PngHeader header = check_png(file, bytes);
-  // Fewer bits would be stretched to 8 by the decoder and so become other labels.
+  // Fewer bits are packed, several labels to a byte.
   if ((header.bits != 8 && header.bits != 16) || header.colour_type != 0)
     fail(file, "is " + header.pixels() + ", labels must be 8-bit or 16-bit grey; save the label numbers, not colours");
   cv::Mat_<std::uint16_t> labels;
-  decode(file, bytes, header, cv::IMREAD_GRAYSCALE | cv::IMREAD_ANYDEPTH).convertTo(labels, CV_16U);
+  decode(file, bytes, header, header.bits == 8 ? CV_8UC1 : CV_16UC1).convertTo(labels, CV_16U);
   return labels;
 }
 
