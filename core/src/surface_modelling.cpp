@@ -4,10 +4,12 @@
 #include "gestalt/surface_modelling.h"
 
 #include <tbb/parallel_for.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <cmath>
 #include <limits>
+#include <numeric>
 #include <set>
 
 #include "gestalt/error.h"
@@ -149,19 +151,37 @@ class SurfaceModeller {
   const SurfaceModellingParams& params_;
 };
 
+/// Calls f with label, first pixel and end of every run of neighbouring pixels of one label, except 0.
+template <class F>
+void for_each_run(const cv::Mat_<int>& labels, const F& f) {
+  const int* label = labels.ptr<int>();
+  for (int pixel = 0, end = int(labels.total()); pixel < end;) {
+    const int own = label[pixel], first = pixel;
+    while (pixel < end && label[pixel] == own) ++pixel;
+    if (own != 0) f(own, first, pixel);
+  }
+}
+
+void append_run(std::vector<int>& pixels, int first, int end) {
+  const std::size_t size = pixels.size();
+  pixels.resize(size + std::size_t(end - first));
+  std::iota(pixels.begin() + std::ptrdiff_t(size), pixels.end(), first);
+}
+
 std::vector<Candidate> gather(const Frame& frame, const PatchMap& patches) {
   std::vector<Candidate> candidates(std::size_t(patches.count));
-  std::vector<std::size_t> sizes(candidates.size() + 1, 0);
-  for (const int label : patches.labels) ++sizes[std::size_t(label)];
+  std::vector<std::size_t> sizes(candidates.size(), 0);
+  for_each_run(patches.labels,
+               [&](int label, int first, int end) { sizes[std::size_t(label) - 1] += std::size_t(end - first); });
   for (std::size_t i = 0; i < candidates.size(); ++i) {
-    candidates[i].pixels.reserve(sizes[i + 1]);
-    candidates[i].points.reserve(sizes[i + 1]);
+    candidates[i].pixels.reserve(sizes[i]);
+    candidates[i].points.reserve(sizes[i]);
   }
-  for (int pixel = 0; pixel < int(patches.labels.total()); ++pixel)
-    if (const int label = patches.labels.ptr<int>()[pixel]; label > 0) {
-      candidates[std::size_t(label) - 1].pixels.push_back(pixel);
-      candidates[std::size_t(label) - 1].points.push_back(frame.point(pixel));
-    }
+  for_each_run(patches.labels, [&](int label, int first, int end) {
+    Candidate& candidate = candidates[std::size_t(label) - 1];
+    append_run(candidate.pixels, first, end);
+    for (int pixel = first; pixel < end; ++pixel) candidate.points.push_back(frame.point(pixel));
+  });
   return candidates;
 }
 
@@ -278,9 +298,14 @@ SurfaceSet model_surfaces(const Frame& frame, const PatchMap& patches,
                           const SurfaceModellingParams& params) {
   const SurfaceModeller modeller(frame, fitters, params);
   std::vector<Candidate> candidates = gather(frame, patches);
-  tbb::parallel_for(std::size_t{0}, candidates.size(), [&](std::size_t i) { modeller.choose_model(candidates[i]); });
-  GreedyMerging(candidates, modeller)
-      .run(neighbours_3d(frame, find_adjacencies(frame, patches.labels, params), params));
+  std::vector<Pair> neighbours;
+  tbb::parallel_invoke(
+      [&] {
+        tbb::parallel_for(std::size_t{0}, candidates.size(),
+                          [&](std::size_t i) { modeller.choose_model(candidates[i]); });
+      },
+      [&] { neighbours = neighbours_3d(frame, find_adjacencies(frame, patches.labels, params), params); });
+  GreedyMerging(candidates, modeller).run(neighbours);
 
   SurfaceSet set;
   set.labels = cv::Mat_<int>(patches.labels.size(), 0);
@@ -290,9 +315,9 @@ SurfaceSet model_surfaces(const Frame& frame, const PatchMap& patches,
     set.surfaces.back().pixels.reserve(candidate.pixels.size());
     for (const int pixel : candidate.pixels) set.labels.ptr<int>()[pixel] = int(set.surfaces.size());
   }
-  for (int pixel = 0; pixel < int(set.labels.total()); ++pixel)
-    if (const int label = set.labels.ptr<int>()[pixel]; label > 0)
-      set.surfaces[std::size_t(label) - 1].pixels.push_back(pixel);
+  for_each_run(set.labels, [&](int label, int first, int end) {
+    append_run(set.surfaces[std::size_t(label) - 1].pixels, first, end);
+  });
   set.adjacencies = find_adjacencies(frame, set.labels, params);
   return set;
 }

@@ -15,16 +15,22 @@ namespace {
 
 /// Sums over points from which their least-squares plane follows. Moments of two sets add up.
 struct Moments {
-  double count = 0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+  double count;
+  Eigen::Vector3d sum;
+  Eigen::Matrix3d squares;
 
-  void add(const Eigen::Vector3f& point) {
-    const Eigen::Vector3d p = point.cast<double>();
-    count += 1;
-    sum += p;
-    squares += p * p.transpose();
+  explicit Moments(std::span<const Eigen::Vector3f> points) : count(double(points.size())) {
+    double x = 0, y = 0, z = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;  // stay in registers
+    for (const Eigen::Vector3f& p : points) {
+      const double px = p.x(), py = p.y(), pz = p.z();
+      x += px, y += py, z += pz;
+      xx += px * px, xy += px * py, xz += px * pz;
+      yy += py * py, yz += py * pz, zz += pz * pz;
+    }
+    sum << x, y, z;
+    squares << xx, xy, xz, xy, yy, yz, xz, yz, zz;
   }
+  Moments(double n, const Eigen::Vector3d& s, const Eigen::Matrix3d& sq) : count(n), sum(s), squares(sq) {}
   Moments operator+(const Moments& other) const {
     return {count + other.count, sum + other.sum, squares + other.squares};
   }
@@ -106,9 +112,7 @@ const Parameters<Plane::Params>& Plane::parameters() {
 
 std::shared_ptr<const SurfaceModel> Plane::fit(std::span<const Eigen::Vector3f> points) const {
   if (points.empty()) return nullptr;
-  Moments moments;
-  for (const Eigen::Vector3f& p : points) moments.add(p);
-  return plane_of(moments);
+  return plane_of(Moments(points));
 }
 
 std::shared_ptr<const SurfaceModel> Plane::fit_merged(const SurfaceModel& a, std::span<const Eigen::Vector3f> points_a,
