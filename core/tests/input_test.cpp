@@ -4,8 +4,10 @@
 #include "gestalt/input.h"
 
 #include <gtest/gtest.h>
+#include <png.h>
 
 #include <algorithm>
+#include <array>
 #include <opencv2/imgcodecs.hpp>
 
 #include "decimal_comma.h"
@@ -96,6 +98,22 @@ TEST_F(SceneFolder, TakesAnyEightBitColour) {
   const Input input = read_scene(scene());
   EXPECT_EQ(input.frame.colour.type(), CV_8UC3);
   EXPECT_EQ(input.frame.colour.at<cv::Vec3b>(2, 3), cv::Vec3b(4, 5, 6));
+}
+
+// Two colours take one bit a pixel.
+TEST_F(SceneFolder, TakesColoursOfAPalette) {
+  png_image image{};
+  image.version = PNG_IMAGE_VERSION;
+  image.width = 4;
+  image.height = 3;
+  image.format = PNG_FORMAT_RGB_COLORMAP;
+  image.colormap_entries = 2;
+  const std::array<uchar, 12> indices{0, 1, 0, 1, 1, 0, 1, 0, 0, 0, 0, 1};
+  const std::array<uchar, 6> colours{10, 20, 30, 40, 50, 60};
+  ASSERT_TRUE(png_image_write_to_file(&image, (scene() / "rgb.png").c_str(), 0, indices.data(), 0, colours.data()));
+  const cv::Mat colour = read_scene(scene()).frame.colour;
+  EXPECT_EQ(colour.at<cv::Vec3b>(0, 0), cv::Vec3b(30, 20, 10));
+  EXPECT_EQ(colour.at<cv::Vec3b>(2, 3), cv::Vec3b(60, 50, 40));
 }
 
 TEST_F(SceneFolder, TakesLabelsOfEightAndSixteenBits) {

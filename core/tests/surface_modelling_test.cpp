@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "gestalt/error.h"
@@ -145,6 +146,45 @@ TEST(Adjacencies, DoNotCrossPixelsWithoutDepth) {
   const auto scene =
       test::render({{{100, 100, 20, 20}, {0, 0, 1}, {0, 0, -1}}, {{121, 100, 20, 20}, {0, 0, 1}, {0, 0, -1}}});
   EXPECT_TRUE(find_adjacencies(scene.frame, scene.patches.labels, {}).empty());
+}
+
+/// Every pixel's neighbours to the right and below, one after another.
+std::map<std::pair<int, int>, std::vector<std::pair<int, int>>> touching_plainly(const cv::Mat_<int>& labels) {
+  std::map<std::pair<int, int>, std::vector<std::pair<int, int>>> touching;
+  const cv::Rect image({}, labels.size());
+  for (int p = 0; p < int(labels.total()); ++p) {
+    const cv::Point at(p % labels.cols, p / labels.cols);
+    for (const cv::Point& step : {cv::Point(1, 0), cv::Point(-1, 1), cv::Point(0, 1), cv::Point(1, 1)}) {
+      const cv::Point to = at + step;
+      if (!image.contains(to) || labels(at) == labels(to) || labels(at) == 0 || labels(to) == 0) continue;
+      const int q = to.y * labels.cols + to.x;
+      if (labels(at) < labels(to))
+        touching[{labels(at) - 1, labels(to) - 1}].emplace_back(p, q);
+      else
+        touching[{labels(to) - 1, labels(at) - 1}].emplace_back(q, p);
+    }
+  }
+  return touching;
+}
+
+// Blocks of pixels of one label are passed over; what is found is the same.
+TEST(Adjacencies, AreThoseOfEveryPixel) {
+  cv::RNG random(3);
+  for (int run = 0; run < 50; ++run) {
+    const cv::Size size(random.uniform(1, 60), random.uniform(1, 40));
+    const Frame frame = make_frame("frame", {}, cv::Mat_<float>(size, 1.f),
+                                   {size.width, size.height, 525, 525, 0.5 * size.width, 0.5 * size.height});
+    cv::Mat_<int> labels(size, 1);
+    for (int i = random.uniform(0, 12); i > 0; --i) {
+      const cv::Rect patch(random.uniform(0, size.width), random.uniform(0, size.height), random.uniform(1, 20),
+                           random.uniform(1, 20));
+      labels(patch & cv::Rect({}, size)).setTo(random.uniform(0, 6));
+    }
+    std::map<std::pair<int, int>, std::vector<std::pair<int, int>>> found;
+    for (const Adjacency& adjacency : find_adjacencies(frame, labels, {}))
+      for (const PixelPair& pair : adjacency.border_2d) found[{adjacency.a, adjacency.b}].emplace_back(pair.a, pair.b);
+    EXPECT_EQ(found, touching_plainly(labels));
+  }
 }
 
 }  // namespace
