@@ -58,15 +58,18 @@ void add_config(CLI::App& app, Run& run) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("config", "Check a config, or print it resolved");
   command->require_subcommand(1);
+  command->footer("Example: gestalt config check --config my_config.yaml");
 
   CLI::App* check_command =
       command->add_subcommand("check", "Tell every error of a config; exit code 2 if there is one");
   add_options(*check_command, options->pipeline);
+  check_command->footer("Example: gestalt config check --config my_config.yaml");
   check_command->callback([options, &run] { run = [options] { return check(*options); }; });
 
   CLI::App* print_command =
       command->add_subcommand("print", "Print the config with all values, and where each came from");
   add_options(*print_command, options->pipeline);
+  print_command->footer("Example: gestalt config print --set decision.solver=graph_cut");
   print_command->add_flag("--json", options->json, "Print as JSON");
   print_command->callback([options, &run] { run = [options] { return print(*options); }; });
 }

@@ -258,6 +258,7 @@ void add_evaluate(CLI::App& app, Run& run) {
                   "category) gives categories")
       ->required()
       ->type_name("SCENES");
+  command.footer("Example: gestalt evaluate scenes --cross-validate 5");
   add_pipeline_options(command, options->pipeline);
   CLI::Option* predictions =
       command

@@ -210,6 +210,7 @@ void add_info(CLI::App& app, Run& run) {
   command->add_option("FILE", options->file, "Scene folder, folder of scenes, PCD, YAML or JSON file")->required();
   command->add_option("--camera", options->camera, "Camera file to read the scene with")->type_name("FILE");
   command->add_flag("--json", options->json, "Print JSON");
+  command->footer("Example: gestalt info examples/demo_scene");
   command->callback([options, &run] {
     run = [options] {
       std::optional<CameraFile> camera;

@@ -8,9 +8,9 @@
 #include <string>
 #include <vector>
 
+#include "built_with.h"
 #include "command.h"
 #include "gestalt/error.h"
-#include "gestalt/registry.h"
 #include "gestalt/suggest.h"
 
 namespace {
@@ -44,8 +44,10 @@ int main(int argc, char** argv) {
   CLI::App app{"Segments unknown objects in RGB-D frames of cluttered scenes by learned perceptual grouping",
                "gestalt"};
   app.require_subcommand(1);
-  app.set_version_flag("--version", "gestalt " GESTALT_VERSION " [" + gestalt::build_fingerprint() + "]");
-  app.footer("Exit codes: 0 success, 1 the run failed, 2 wrong usage or config, 3 unusable input.");
+  app.set_version_flag("--version", built_with(), "Print this version and those of what it was built with");
+  app.footer(
+      "Example: gestalt segment examples/demo_scene --output out\n"
+      "Exit codes: 0 success, 1 the run failed, 2 wrong usage or config, 3 unusable input.");
   Run run;
   add_segment(app, run);
   add_stream(app, run);
@@ -60,6 +62,7 @@ int main(int argc, char** argv) {
   add_export(app, run);
   add_info(app, run);
   add_calibrate_noise(app, run);
+  add_completion(app, run);
   try {
     if (argc > 1) require_known(app, argv[1]);
     app.parse(argc, argv);

@@ -190,10 +190,12 @@ void add_plugins(CLI::App& app, Run& run) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("plugins", "List or describe the components that plugins offer");
   command->require_subcommand(1);
+  command->footer("Example: gestalt plugins describe gabor");
 
   CLI::App* list_command =
       command->add_subcommand("list", "List all components, where they were searched and what was rejected");
   add_options(*list_command, *options);
+  list_command->footer("Example: gestalt plugins list");
   list_command->callback([options, &run] { run = [options] { return list(*options); }; });
 
   CLI::App* describe_command = command->add_subcommand("describe", "Tell the parameters and values of a component");
@@ -202,6 +204,7 @@ void add_plugins(CLI::App& app, Run& run) {
       ->required()
       ->expected(1, 2);
   add_options(*describe_command, *options);
+  describe_command->footer("Example: gestalt plugins describe gabor");
   describe_command->callback([options, &run] { run = [options] { return describe(*options); }; });
 }
 

@@ -65,6 +65,7 @@ void add_synthesize(CLI::App& app, Run& run) {
   auto options = std::make_shared<SynthesizeOptions>();
   std::string known;
   for (const std::string& name : category_names()) known += (known.empty() ? "" : ", ") + name;
+  command.footer("Example: gestalt synthesize --category complex_scene --seed 1 --count 5 --output scenes");
   command.add_option("--category", options->category, "One of " + known)->required();
   command.add_option("--seed", options->seed, "The same seed gives the same scenes")->capture_default_str();
   command.add_option("--count", options->count, "Scenes to make")->check(CLI::Range(1, 100000))->capture_default_str();

@@ -27,9 +27,6 @@ class PixelGrid {
   Eigen::Vector3f point(int pixel) const { return vector(points_[pixel]); }
   bool has_normal(int pixel) const { return curvature_[pixel] < 1; }
 
-  /// 1 where there is no normal.
-  float curvature(int pixel) const { return curvature_[pixel]; }
-
   /// (0, 0, 0) where there is none.
   Eigen::Vector3f normal(int pixel) const { return vector(normals_[pixel]); }
 

@@ -3,6 +3,9 @@
 
 #include <gtest/gtest.h>
 
+#include <array>
+#include <cstdio>
+#include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -19,11 +22,20 @@ TEST(Usage, HelpAndVersion) {
   const Outcome version = run_gestalt({"--version"});
   expect_success(version);
   EXPECT_TRUE(version.out.starts_with("gestalt 0.")) << version.out;
+  for (const char* library : {"compiler", "Eigen", "OpenCV", "PCL", "oneTBB", "Boost", "yaml-cpp", "interface"})
+    EXPECT_GT(occurrences(library, version.out), 0) << version.out;
   for (const std::vector<std::string>& command : {std::vector<std::string>{},
                                                   {"segment"},
+                                                  {"stream"},
                                                   {"train"},
                                                   {"evaluate"},
+                                                  {"ablate"},
+                                                  {"reproduce"},
                                                   {"synthesize"},
+                                                  {"convert"},
+                                                  {"export"},
+                                                  {"calibrate-noise"},
+                                                  {"completion"},
                                                   {"plugins"},
                                                   {"config"},
                                                   {"info"},
@@ -36,7 +48,43 @@ TEST(Usage, HelpAndVersion) {
     const Outcome outcome = run_gestalt(arguments);
     expect_success(outcome);
     EXPECT_GT(occurrences("Usage: gestalt", outcome.out), 0) << outcome.out;
+    EXPECT_GT(occurrences("Example", outcome.out), 0) << outcome.out;
   }
+}
+
+/// What bash offers for the last of some words.
+std::set<std::string> completed(const std::vector<std::string>& words) {
+  const TemporaryFolder folder;
+  std::string script = run_gestalt({"completion", "bash"}).out + "COMP_WORDS=(";
+  for (const std::string& word : words) script += " '" + word + "'";
+  script += ")\nCOMP_CWORD=" + std::to_string(words.size() - 1) + "\n_gestalt\nprintf '%s\\n' \"${COMPREPLY[@]}\"\n";
+  const std::string file = folder.write("script.bash", script);
+  std::unique_ptr<FILE, int (*)(FILE*)> bash(popen(("bash '" + file + "'").c_str(), "r"), pclose);
+  std::set<std::string> offered;
+  for (std::array<char, 256> line{}; fgets(line.data(), line.size(), bash.get());) {
+    std::string word = line.data();
+    word.pop_back();
+    if (!word.empty()) offered.insert(word);
+  }
+  return offered;
+}
+
+TEST(Usage, BashCompletesCommandsAndOptions) {
+  using Words = std::set<std::string>;
+  EXPECT_EQ(completed({"gestalt", "seg"}), Words{"segment"});
+  EXPECT_EQ(completed({"gestalt", "--v"}), Words{"--version"});
+  EXPECT_EQ(completed({"gestalt", "plugins", "de"}), Words{"describe"});
+  EXPECT_EQ(completed({"gestalt", "segment", "scene", "--out"}), Words{"--output"});
+  EXPECT_EQ(completed({"gestalt", "stream", "scene", "--dr"}), Words{"--drop"});
+  EXPECT_EQ(completed({"gestalt", "segment", "exampl"}), Words{});  // the shell's turn: a file
+}
+
+TEST(Usage, CompletionKnowsThreeShells) {
+  EXPECT_GT(occurrences("bashcompinit", run_gestalt({"completion", "zsh"}).out), 0);
+  const std::string fish = run_gestalt({"completion", "fish"}).out;
+  EXPECT_GT(occurrences("complete -c gestalt", fish), 20);
+  EXPECT_GT(occurrences("-l cross-validate", fish), 0);
+  EXPECT_EQ(run_gestalt({"completion", "tcsh"}).code, 2);
 }
 
 TEST(Usage, WrongUsageIsNamedAndHasExitCode2) {
