@@ -36,15 +36,13 @@ int report(const std::exception& error, int code) {
   return code;
 }
 
-}  // namespace
-
-int main(int argc, char** argv) {
+int run_command(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is a failed write, not a sudden death
   using namespace gestalt::app;
   CLI::App app{"Segments unknown objects in RGB-D frames of cluttered scenes by learned perceptual grouping",
                "gestalt"};
   app.require_subcommand(1);
-  app.set_version_flag("--version", built_with(), "Print this version and those of what it was built with");
+  app.set_version_flag("--version", built_with, "Print this version and those of what it was built with");
   app.footer(
       "Example: gestalt segment examples/demo_scene --output out\n"
       "Exit codes: 0 success, 1 the run failed, 2 wrong usage or config, 3 unusable input.");
@@ -81,7 +79,11 @@ int main(int argc, char** argv) {
     return report(error, wrong_usage);
   } catch (const gestalt::InputError& error) {
     return report(error, unusable_input);
-  } catch (const std::exception& error) {
-    return report(error, run_failed);
   }
+}
+
+}  // namespace
+
+int main(int argc, char** argv) try { return run_command(argc, argv); } catch (const std::exception& error) {
+  return report(error, gestalt::app::run_failed);
 }
