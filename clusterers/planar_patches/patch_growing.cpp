@@ -32,8 +32,8 @@ class Growing {
         curvature_(normals.curvature),
         smallest_(tolerances.min_patch_size()),
         tolerances_(tolerances),
-        cells_(std::make_unique_for_overwrite<Cell[]>(std::size_t(stride_ * (size_.height + 2)))),
-        free_(std::size_t(stride_ * (size_.height + 2)), 0),
+        cells_(std::make_unique_for_overwrite<Cell[]>(std::size_t(stride_) * std::size_t(size_.height + 2))),
+        free_(std::size_t(stride_) * std::size_t(size_.height + 2), 0),
         labels_(size_.height + 2, stride_, 0) {
     tbb::parallel_for(0, size_.height, [&](int v) {
       const cv::Vec3f *p = frame.points[v], *n = normals.normals[v];

@@ -85,7 +85,7 @@ std::shared_ptr<const SurfaceModel> plane_of(const Moments& moments) {
   const Eigen::Matrix3d covariance = moments.covariance();
   const Eigen::Vector3d centre = moments.mean();
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> eigen(covariance);
-  const Eigen::Vector3d spread = eigen.eigenvalues();
+  const Eigen::Vector3d& spread = eigen.eigenvalues();
 
   // Rounding leaves a variance of about 1e-14 of the squared distance even where all points are equal.
   const double nothing = 1e-12 * (1 + centre.squaredNorm());

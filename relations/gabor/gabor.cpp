@@ -46,8 +46,8 @@ class GaborMeasure final : public Measure {
     double sum = 0;
     for (int scale = 0; scale < params_.scales; ++scale)
       for (int j = 0; j < params_.directions; ++j) {
-        const auto f = std::size_t(scale * params_.directions + j);
-        const auto g = std::size_t(scale * params_.directions + (j + shift) % params_.directions);
+        const std::size_t first = std::size_t(scale) * std::size_t(params_.directions);
+        const std::size_t f = first + std::size_t(j), g = first + std::size_t((j + shift) % params_.directions);
         sum += length(a.mean[f] - b.mean[g], a.deviation[f] - b.deviation[g]);
       }
     return sum;
