@@ -3,7 +3,6 @@
 
 # PCL's and OpenCV's own config files pull in every component, VTK included; only what is used is looked for here.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(PNG 1.6 REQUIRED)
 find_package(Threads REQUIRED)
 find_package(TBB REQUIRED)
 find_package(yaml-cpp 0.7 REQUIRED)
@@ -26,4 +25,3 @@ endforeach()
 foreach(module common io)
   gestalt_library(pcl_${module} pcl/pcl_config.h)
 endforeach()
-gestalt_library(lzf liblzf/lzf.h)

@@ -91,11 +91,16 @@ Gabor::Gabor(const Params& params) : params_(params) {
 
 std::unique_ptr<Observation> Gabor::observe(const Images& images) const {
   return std::make_unique<ObservedResponses>(
-      GaborResponses(params_, images.grey(), grid_box(images.frame().depth, params_.stride)));
+      GaborResponses(params_, images.grey(), grid_box(images.frame().depth > 0, params_.stride)));
 }
 
 std::unique_ptr<Measure> Gabor::bind(const Scene& scene) const {
-  return std::make_unique<GaborMeasure>(params_, scene.observed<ObservedResponses>(*this).responses, scene.surfaces());
+  const GaborResponses& observed = scene.observed<ObservedResponses>(*this).responses;
+  // A clusterer may have put pixels without depth into patches.
+  const cv::Rect box = grid_box(scene.surfaces().labels > 0, params_.stride);
+  if ((box | observed.box()) == observed.box())
+    return std::make_unique<GaborMeasure>(params_, observed, scene.surfaces());
+  return std::make_unique<GaborMeasure>(params_, GaborResponses(params_, scene.grey(), box), scene.surfaces());
 }
 
 }  // namespace gestalt

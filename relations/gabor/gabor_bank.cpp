@@ -311,10 +311,10 @@ GaborResponses::GaborResponses(const GaborBank& bank, const cv::Mat& grey, const
   });
 }
 
-cv::Rect grid_box(const cv::Mat_<float>& depth, int stride) {
-  const cv::Rect measured = cv::boundingRect(depth > 0);
-  if (measured.empty()) return {};
-  const cv::Point first = measured.tl() / stride, last = (measured.br() - cv::Point(1, 1)) / stride;
+cv::Rect grid_box(const cv::Mat& mask, int stride) {
+  const cv::Rect box = cv::boundingRect(mask);
+  if (box.empty()) return {};
+  const cv::Point first = box.tl() / stride, last = (box.br() - cv::Point(1, 1)) / stride;
   return {first, last + cv::Point(1, 1)};
 }
 

@@ -47,9 +47,9 @@ class GaborResponses {
   cv::Mat_<float> magnitudes_;  // rows: of each grid row, each filter
 };
 
-/// The grid pixels to which measured pixels belong: each belongs to that above and to the left of it. Empty when none
-/// are measured.
-cv::Rect grid_box(const cv::Mat_<float>& depth, int stride);
+/// The grid pixels to which the pixels of a mask (CV_8UC1, not 0) belong: each belongs to that above and to the left of
+/// it. Empty when there are none.
+cv::Rect grid_box(const cv::Mat& mask, int stride);
 
 /// Mean and standard deviation of every filter's magnitude over a surface's pixels.
 struct GaborDescriptor {

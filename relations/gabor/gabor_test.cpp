@@ -70,8 +70,8 @@ double defined_magnitude(const GaborBank& bank, const cv::Mat& grey, int u, int 
 }
 
 std::vector<GaborDescriptor> describe(const GaborBank& bank, const cv::Mat& grey, const SurfaceSet& surfaces) {
-  const cv::Mat_<float> measured(grey.size(), 1.f);
-  return describe(bank, GaborResponses(bank, grey, grid_box(measured, bank.stride)), surfaces);
+  const cv::Mat everywhere(grey.size(), CV_8UC1, cv::Scalar(1));
+  return describe(bank, GaborResponses(bank, grey, grid_box(everywhere, bank.stride)), surfaces);
 }
 
 /// Largest difference of describe() from the definition over some single pixels.
@@ -158,10 +158,10 @@ TEST(GaborBank, GivesTheSameForAnyNumberOfThreads) {
 TEST(GaborBank, AnswersInABoxAsInTheWholeImage) {
   const GaborBank bank;
   const cv::Mat grey = random_grey({90, 70}, 5);
-  cv::Mat_<float> depth(grey.size(), 0.f);
-  EXPECT_TRUE(grid_box(depth, bank.stride).empty());
-  depth(cv::Rect(21, 15, 32, 22)).setTo(1);
-  const cv::Rect box = grid_box(depth, bank.stride);
+  cv::Mat_<uchar> mask(grey.size(), uchar{0});
+  EXPECT_TRUE(grid_box(mask, bank.stride).empty());
+  mask(cv::Rect(21, 15, 32, 22)).setTo(1);
+  const cv::Rect box = grid_box(mask, bank.stride);
   EXPECT_EQ(box, cv::Rect(10, 7, 17, 12));
   const GaborResponses part(bank, grey, box), whole(bank, grey, {0, 0, 45, 35});
   for (int row = box.y; row < box.y + box.height; ++row)
@@ -240,6 +240,21 @@ TEST(Gabor, RefusesKernelsOfUnreasonableSize) {
   params.scales = 8;
   params.spacing = 4;
   EXPECT_THROW(Gabor{params}, ConfigError);
+}
+
+TEST(Gabor, TakesPatchesOfPixelsWithoutDepth) {
+  auto scene = test::rectangle_before_wall();
+  cv::RNG(4).fill(scene.frame.colour, cv::RNG::UNIFORM, 0, 256);
+  const auto r_ga = [&] {
+    double value = -1;
+    (*Gabor({}).bind(Scene(scene.frame, scene.patches, scene.surfaces)))({0, 1, nullptr}, {&value, 1});
+    return value;
+  };
+  const double with_depth = r_ga();
+  scene.frame.depth(cv::Rect(0, 0, 640, 300)).setTo(0);
+  EXPECT_EQ(r_ga(), with_depth);
+  scene.frame.depth.setTo(0);
+  EXPECT_EQ(r_ga(), with_depth);
 }
 
 }  // namespace
