@@ -74,9 +74,7 @@ int main(int argc, char** argv) try {
   report["ratios"] = ratios(all);
   write_report(options, report);
 
-  std::cout << frames.size() << " frames, " << options.repeats << " runs each, " << options.threads
-            << " threads; milliseconds\n"
-            << heading("") << '\n';
+  std::cout << caption(options, frames.size()) << heading("") << '\n';
   for (const Contestant& one : all) std::cout << row(one.name, report["milliseconds"][one.name]) << '\n';
   std::cout << "medians as multiples of pcl_lccp's:\n";
   for (const Contestant& one : all)

@@ -60,18 +60,17 @@ Runs run(const Segmenter& segment, const Frames& frames, int repeats) {
 int main(int argc, char** argv) try {
   CLI::App app{"Times whole frames, by level"};
   Options options;
-  std::filesystem::path config = gestalt::default_config();
   add_scenes(app, options);
-  app.add_option("--config", config, "Config file (default: the installed default.yaml)")->type_name("FILE");
+  add_config(app, options);
   add_threads(app, options);
   add_measuring(app, options);
   CLI11_PARSE(app, argc, argv);
 
   const ThreadLimit limit(options.threads);
-  const Segmenter segment(config);
+  const Segmenter segment(options.config);
   const Frames frames(options.scenes, options.synthetic);
   const Runs runs = run(segment, frames, options.repeats);
-  const nlohmann::ordered_json report = {{"config", config.filename().string()},
+  const nlohmann::ordered_json report = {{"config", options.config.filename().string()},
                                          {"frames", frames.size()},
                                          {"repeats", options.repeats},
                                          {"threads", options.threads},
@@ -87,9 +86,7 @@ int main(int argc, char** argv) try {
                                          {"peak_megabytes", peak_megabytes()}};
   write_report(options, report);
 
-  std::cout << frames.size() << " frames, " << options.repeats << " runs each, " << options.threads
-            << " threads; milliseconds\n"
-            << heading("level") << '\n';
+  std::cout << caption(options, frames.size()) << heading("level") << '\n';
   for (const auto& [level, times] : report["milliseconds"].items()) std::cout << row(level, times) << '\n';
   std::cout << "median frame: " << median(runs.allocations) << " allocations of "
             << median(runs.allocated_bytes) / (1 << 20) << " MB in sum; peak memory " << peak_megabytes() << " MB\n";

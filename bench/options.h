@@ -7,13 +7,17 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <string>
 #include <vector>
+
+#include "gestalt/config.h"
 
 namespace gestalt::bench {
 
 /// What every program that measures whole frames is told on its command line.
 struct Options {
   std::vector<std::filesystem::path> scenes;
+  std::filesystem::path config = default_config();
   int synthetic = 10;  ///< number of synthetic frames where no scene is given
   int repeats = 3;     ///< runs of each frame
   int threads = 2;
@@ -22,11 +26,15 @@ struct Options {
 };
 
 void add_scenes(CLI::App& app, Options& options);
+void add_config(CLI::App& app, Options& options);
 void add_threads(CLI::App& app, Options& options);
 
 /// --repeats, --quick and --json. Quick means one run and one synthetic frame: it shows that a program works, not how
 /// fast.
 void add_measuring(CLI::App& app, Options& options);
+
+/// "frames, runs of each, threads", the line above a table of milliseconds.
+std::string caption(const Options& options, std::size_t frames);
 
 /// Writes the report where --json asks for it. Throws OutputError.
 void write_report(const Options& options, const nlohmann::ordered_json& report);

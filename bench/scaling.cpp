@@ -101,21 +101,20 @@ int main(int argc, char** argv) try {
   CLI::App app{"Times frames of growing size"};
   Options options;
   options.repeats = 5;
-  std::filesystem::path config = gestalt::default_config();
-  app.add_option("--config", config, "Config file (default: the installed default.yaml)")->type_name("FILE");
+  add_config(app, options);
   add_threads(app, options);
   add_measuring(app, options);
   CLI11_PARSE(app, argc, argv);
 
   const ThreadLimit limit(options.threads);
-  const Segmenter segment(config);
+  const Segmenter segment(options.config);
   std::vector<Measured> by_pixels = resolutions(options.quick), by_patches = patch_counts(options.quick);
   run(by_pixels, segment, options.repeats);
   run(by_patches, segment, options.repeats);
 
   constexpr std::size_t vga = 1, fewest = 0;
   const ordered_json report = {
-      {"config", config.filename().string()},
+      {"config", options.config.filename().string()},
       {"repeats", options.repeats},
       {"threads", options.threads},
       {"pixels",

@@ -76,19 +76,18 @@ int main(int argc, char** argv) try {
   CLI::App app{"Times what passes before the first frame"};
   Options options;
   options.repeats = 20;
-  std::filesystem::path config = gestalt::default_config();
-  app.add_option("--config", config, "Config file (default: the installed default.yaml)")->type_name("FILE");
+  add_config(app, options);
   add_measuring(app, options);
   CLI11_PARSE(app, argc, argv);
 
   const std::string gestalt = (gestalt::core_library().parent_path().parent_path() / "bin" / "gestalt").string();
   std::vector<double> loading, version, plugins;
   for (int repeat = 0; repeat < options.repeats; ++repeat) {
-    loading.push_back(load(config));
+    loading.push_back(load(options.config));
     version.push_back(milliseconds([&] { run_silently({gestalt.c_str(), "--version"}); }));
     plugins.push_back(milliseconds([&] { run_silently({gestalt.c_str(), "plugins", "list"}); }));
   }
-  const nlohmann::ordered_json report = {{"config", config.filename().string()},
+  const nlohmann::ordered_json report = {{"config", options.config.filename().string()},
                                          {"repeats", options.repeats},
                                          {"milliseconds",
                                           {{"config_plugins_model", spread(loading)},

@@ -27,14 +27,13 @@ double frames_per_second(const Segmenter& segment, const std::vector<gestalt::Fr
 int main(int argc, char** argv) try {
   CLI::App app{"Frames a second with one thread and with several"};
   Options options;
-  std::filesystem::path config = gestalt::default_config();
   add_scenes(app, options);
-  app.add_option("--config", config, "Config file (default: the installed default.yaml)")->type_name("FILE");
+  add_config(app, options);
   add_threads(app, options);
   add_measuring(app, options);
   CLI11_PARSE(app, argc, argv);
 
-  const Segmenter segment(config);
+  const Segmenter segment(options.config);
   const std::vector<gestalt::Frame> frames = Frames(options.scenes, options.synthetic).all();
   std::vector<double> one, several;
   for (int repeat = 0; repeat < options.repeats; ++repeat) {  // in turn: the machine's other work meets both alike
@@ -42,7 +41,7 @@ int main(int argc, char** argv) try {
     several.push_back(frames_per_second(segment, frames, options.threads));
   }
   const nlohmann::ordered_json report = {
-      {"config", config.filename().string()},
+      {"config", options.config.filename().string()},
       {"frames", frames.size()},
       {"repeats", options.repeats},
       {"threads", options.threads},
