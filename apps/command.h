@@ -26,6 +26,7 @@ void add_synthesize(CLI::App& app, Run& run);
 void add_convert(CLI::App& app, Run& run);
 void add_ablate(CLI::App& app, Run& run);
 void add_reproduce(CLI::App& app, Run& run);
+void add_new_plugin(CLI::App& app, Run& run);
 void add_plugins(CLI::App& app, Run& run);
 void add_config(CLI::App& app, Run& run);
 void add_export(CLI::App& app, Run& run);

@@ -19,7 +19,8 @@ struct Options {
 };
 
 void add_options(CLI::App& command, PipelineOptions& options) {
-  command.add_option("file", options.config, "Config file (default: the installed default.yaml)")->type_name("FILE");
+  command.add_option("file", options.config, "Config file, or the name of an installed one (default: default.yaml)")
+      ->type_name("FILE");
   command
       .add_option("--set", options.overrides,
                   "Override a value of the config: structural.minimum_size=50, structural.relations.gabor=off")

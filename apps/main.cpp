@@ -55,6 +55,7 @@ int run_command(int argc, char** argv) {
   add_reproduce(app, run);
   add_synthesize(app, run);
   add_convert(app, run);
+  add_new_plugin(app, run);
   add_plugins(app, run);
   add_config(app, run);
   add_export(app, run);

@@ -9,7 +9,8 @@
 namespace gestalt::app {
 
 void add_pipeline_options(CLI::App& command, PipelineOptions& options) {
-  command.add_option("--config", options.config, "Config file (default: the installed default.yaml)")
+  command
+      .add_option("--config", options.config, "Config file, or the name of an installed one (default: default.yaml)")
       ->type_name("FILE");
   command
       .add_option("--set", options.overrides,

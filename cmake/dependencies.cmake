@@ -1,17 +1,17 @@
 # SPDX-FileCopyrightText: 2026 The Gestalt authors
 # SPDX-License-Identifier: BSD-3-Clause
 
-# PCL's and OpenCV's own config files pull in every component, VTK included; only what is used is looked for here.
+# What the public headers need; find_package(Gestalt) finds it too.
 find_package(Eigen3 3.4 REQUIRED NO_MODULE)
-find_package(Threads REQUIRED)
-find_package(TBB REQUIRED)
-find_package(yaml-cpp 0.7 REQUIRED)
 find_package(nlohmann_json 3.11 REQUIRED)
-find_package(Boost 1.74 REQUIRED COMPONENTS filesystem system)
-find_package(GTest REQUIRED)
 
 # gestalt_library(<target> <header> [<file of the library>])
+#
+# PCL's and OpenCV's own config files pull in every component, VTK included; only what is used is looked for here.
 function(gestalt_library target header)
+  if(TARGET gestalt::${target})
+    return()
+  endif()
   find_path(${target}_INCLUDE ${header} PATH_SUFFIXES opencv4 pcl-1.13 libsvm REQUIRED)
   find_library(${target}_FILE NAMES ${ARGN} ${target} REQUIRED)
   add_library(gestalt::${target} INTERFACE IMPORTED GLOBAL)
@@ -19,9 +19,6 @@ function(gestalt_library target header)
   target_link_libraries(gestalt::${target} INTERFACE ${${target}_FILE})
 endfunction()
 
-foreach(module core imgproc imgcodecs ml)
+foreach(module core imgproc)
   gestalt_library(opencv_${module} opencv2/${module}.hpp)
-endforeach()
-foreach(module common io)
-  gestalt_library(pcl_${module} pcl/pcl_config.h)
 endforeach()

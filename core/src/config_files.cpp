@@ -10,6 +10,7 @@
 
 #include "config_yaml.h"
 #include "gestalt/error.h"
+#include "gestalt/registry.h"
 
 namespace gestalt::config {
 
@@ -35,6 +36,13 @@ std::string read_text(const fs::path& file) {
   if (text.size() > largest_file)
     throw ConfigError("cannot read config '" + file.string() + "': it is larger than 1 MiB, so it is no config");
   return text;
+}
+
+/// The file, or where there is none the installed config of that name.
+fs::path found(const fs::path& file, const fs::path& name) {
+  const fs::path installed = data_directory() / "configs" / name;
+  std::error_code ignored;
+  return !fs::exists(file, ignored) && fs::exists(installed, ignored) ? installed : file;
 }
 
 /// Refuses control characters: yaml-cpp takes one of them for the end of the file, and reads UTF-16 as well.
@@ -72,9 +80,10 @@ class Chain {
   explicit Chain(Problems& problems) : problems_(problems) {}
 
   std::vector<Node> read(const fs::path& first) {
-    append(first, open(first));
+    const fs::path file = found(first, first);
+    append(file, open(file));
     while (const Node* extends = extended()) {
-      const fs::path base = (files_.back().parent_path() / extends->text).lexically_normal();
+      const fs::path base = found((files_.back().parent_path() / extends->text).lexically_normal(), extends->text);
       std::string text;
       try {
         text = open(base);

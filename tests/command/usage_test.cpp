@@ -36,6 +36,7 @@ TEST(Usage, HelpAndVersion) {
                                                   {"export"},
                                                   {"calibrate-noise"},
                                                   {"completion"},
+                                                  {"new-plugin"},
                                                   {"plugins"},
                                                   {"config"},
                                                   {"info"},

@@ -52,7 +52,8 @@ struct Config {
 /// came from.
 class GESTALT_EXPORT ConfigTree {
  public:
-  /// Reads a config. overrides are "path=value" of the command line, applied in order: `structural.relations.gabor=off`
+  /// Reads a config; where there is no such file, the installed config of that name, and so for what it extends.
+  /// overrides are "path=value" of the command line, applied in order: `structural.relations.gabor=off`
   /// takes a component out of a list, `=on` puts one in, any other path sets a value.
   /// Throws ConfigError when a file cannot be read or is no YAML, or extends itself; what else is wrong is reported by
   /// resolve(), all together.

@@ -2,8 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <pcl/pcl_config.h>
-
 #include <Eigen/Core>
 #include <opencv2/core/version.hpp>
 
@@ -22,4 +20,4 @@
   "abi=" GESTALT_TEXT(__GXX_ABI_VERSION) " cxx11=" GESTALT_TEXT(_GLIBCXX_USE_CXX11_ABI)                             \
   " libstdc++=" GESTALT_LIBRARY_MODE_ " eigen=" GESTALT_TEXT(EIGEN_WORLD_VERSION) "." GESTALT_TEXT(                 \
       EIGEN_MAJOR_VERSION) "." GESTALT_TEXT(EIGEN_MINOR_VERSION) " eigen_align=" GESTALT_TEXT(EIGEN_MAX_ALIGN_BYTES) \
-  " opencv=" CV_VERSION " pcl=" PCL_VERSION_PRETTY
+  " opencv=" CV_VERSION

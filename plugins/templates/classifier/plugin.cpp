@@ -1,0 +1,6 @@
+#include <gestalt/plugin.h>
+
+#include "my_component.h"
+
+GESTALT_PLUGIN(gestalt::component<MyComponent>("my_component", "0.1.0",
+                                               "Logistic function along the line between the classes' means"))

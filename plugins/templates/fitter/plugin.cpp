@@ -1,0 +1,5 @@
+#include <gestalt/plugin.h>
+
+#include "my_component.h"
+
+GESTALT_PLUGIN(gestalt::component<MyComponent>("my_component", "0.1.0", "Plane along the points' principal axes"))

@@ -1,0 +1,33 @@
+#!/usr/bin/env bash
+# SPDX-FileCopyrightText: 2026 The Gestalt authors
+# SPDX-License-Identifier: BSD-3-Clause
+# What a new user does in a fresh Debian 12 with the packages in /packages; ends with 1 at the first thing that fails.
+set -euo pipefail
+export DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8
+cd /work
+
+step() {
+  echo "== $*"
+}
+
+step "install the command alone"
+apt-get update -qq
+apt-get install -y -qq --no-install-recommends /packages/gestalt_*.deb >log 2>&1 || { tail -20 log; exit 1; }
+gestalt --version
+gestalt synthesize --category complex_scene --seed 5 --count 4 --output scenes
+gestalt segment scenes --output out
+
+step "install what plugins are made with"
+apt-get install -y -qq --no-install-recommends /packages/libgestalt-dev_*.deb g++ make libgtest-dev >log 2>&1 ||
+  { tail -20 log; exit 1; }
+
+step "a relation of one's own"
+gestalt new-plugin relation own_relation
+cmake -S own_relation -B own_relation/build
+cmake --build own_relation/build
+ctest --test-dir own_relation/build --output-on-failure
+
+step "train and evaluate with it"
+gestalt train scenes --config own_relation/config.yaml --output own_relation/own_relation.json
+gestalt evaluate scenes --config own_relation/config.yaml
+gestalt segment scenes --config own_relation/config.yaml --output own_out
