@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "gestalt/config_schema.h"
 #include "pipeline_options.h"
 
 namespace gestalt::app {
@@ -53,18 +54,26 @@ int print(const Options& options) {
   return success;
 }
 
+/// Of the installed plugins, and those that a config's plugin_directories have besides.
+int schema(const Options& options) {
+  std::vector<std::filesystem::path> directories;
+  if (!options.pipeline.config.empty()) directories = ConfigTree(options.pipeline.config, {}).plugin_directories();
+  std::cout << config_schema(Registry(plugin_search_path(directories))).dump(1) << '\n';
+  return success;
+}
+
 }  // namespace
 
 void add_config(CLI::App& app, Run& run) {
   auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("config", "Check a config, or print it resolved");
+  CLI::App* command = app.add_subcommand("config", "Check a config, print it resolved, or print the schema of all");
   command->require_subcommand(1);
-  command->footer("Example: gestalt config check --config my_config.yaml");
+  command->footer("Example: gestalt config check my_config.yaml");
 
   CLI::App* check_command =
       command->add_subcommand("check", "Tell every error of a config; exit code 2 if there is one");
   add_options(*check_command, options->pipeline);
-  check_command->footer("Example: gestalt config check --config my_config.yaml");
+  check_command->footer("Example: gestalt config check my_config.yaml");
   check_command->callback([options, &run] { run = [options] { return check(*options); }; });
 
   CLI::App* print_command =
@@ -73,6 +82,13 @@ void add_config(CLI::App& app, Run& run) {
   print_command->footer("Example: gestalt config print --set decision.solver=graph_cut");
   print_command->add_flag("--json", options->json, "Print as JSON");
   print_command->callback([options, &run] { run = [options] { return print(*options); }; });
+
+  CLI::App* schema_command =
+      command->add_subcommand("schema", "Print the JSON schema of a config, by which editors complete and check one");
+  schema_command->add_option("file", options->pipeline.config, "Search the plugin_directories of this config, too")
+      ->type_name("FILE");
+  schema_command->footer("Example: gestalt config schema > config.schema.json");
+  schema_command->callback([options, &run] { run = [options] { return schema(*options); }; });
 }
 
 }  // namespace gestalt::app

@@ -8,6 +8,7 @@
 #include <set>
 #include <string_view>
 
+#include "config_keys.h"
 #include "gestalt/suggest.h"
 
 namespace gestalt::config {
@@ -34,47 +35,45 @@ class Layer {
  public:
   explicit Layer(Draft& draft) : draft_(draft), problems_(draft.problems) {}
 
-  void read(const Node& root) {
-    const auto left_alone = [](const Node&, const std::string&) {};
-    read_mapping(
-        root, "",
-        {{"schema_version", left_alone},
-         {"extends", left_alone},
-         {"plugin_directories", [this](const Node& n, const std::string& p) { read_directories(n, p); }},
-         value("levels", draft_.levels),
-         value("model", draft_.model),
-         settings("sensor", draft_.sensor),
-         section("signal", {component("clusterer", draft_.clusterer)}),
-         section("primitive", {list("fitters", draft_.fitters), settings("model_selection", draft_.model_selection)}),
-         level("structural", draft_.structural),
-         level("assembly", draft_.assembly),
-         section("decision", {component("solver", draft_.solver), settings("figure_ground", draft_.figure_ground)})});
-  }
+  void read(const Node& root) { read_mapping(root, "", config_keys(*this, draft_)); }
 
- private:
-  Key section(const char* name, const std::vector<Key>& keys) {
+  // What config_keys() makes keys with.
+
+  Key version(const char* name, const char*) { return left_alone(name); }
+  Key base(const char* name, const char*) { return left_alone(name); }
+  Key section(const char* name, const char*, const std::vector<Key>& keys) {
     return {name, [this, keys](const Node& n, const std::string& p) { read_mapping(n, p, keys); }};
   }
-  Key level(const char* name, LevelDraft& into) {
-    return section(name, {list("relations", into.relations), component("classifier", into.classifier),
-                          value("minimum_size", into.minimum_size), value("negatives", into.negatives)});
+  Key directories(const char* name, const char*, std::vector<DirectoryDraft>&) {
+    return {name, [this](const Node& n, const std::string& p) { read_directories(n, p); }};
   }
-  Key component(const char* name, ComponentDraft& into) {
+  Key component(const char* name, const char*, const char*, ComponentDraft& into) {
     return {name, [this, &into](const Node& n, const std::string& p) { read_component(into, n, p); }};
   }
-  Key list(const char* name, ComponentListDraft& into) {
+  Key list(const char* name, const char*, const char*, ComponentListDraft& into) {
     return {name, [this, &into](const Node& n, const std::string& p) { read_list(into, n, p); }};
   }
-  Key settings(const char* name, Settings& into) {
-    return {name, [this, &into](const Node& n, const std::string& p) { read_settings(into, n, p); }};
+  Key settings(const char* name, const char*, const std::vector<Parameter>&, Settings& into) {
+    return settings(name, into);
   }
-  Key value(const char* name, std::optional<Node>& into) {
+  Key value(const Parameter& declaration, std::optional<Node>& into) {
+    return file(declaration.name.c_str(), "", into);
+  }
+  Key file(const char* name, const char*, std::optional<Node>& into) {
     return {name, [this, &into](const Node& n, const std::string& p) {
               if (n.kind == Node::Kind::list || n.kind == Node::Kind::mapping)
                 problems_.add(n.place, p, "expected one value, got " + n.description());
               else
                 into = n;
             }};
+  }
+
+ private:
+  Key left_alone(const char* name) {
+    return {name, [](const Node&, const std::string&) {}};
+  }
+  Key settings(const char* name, Settings& into) {
+    return {name, [this, &into](const Node& n, const std::string& p) { read_settings(into, n, p); }};
   }
 
   /// Reads the values in the order of keys, not of the text: a plugin before its params.

@@ -7,6 +7,7 @@
 #include <optional>
 #include <set>
 
+#include "config_keys.h"
 #include "gestalt/depth_noise.h"
 #include "gestalt/figure_ground.h"
 #include "gestalt/relation.h"
@@ -18,35 +19,6 @@ namespace gestalt::config {
 namespace fs = std::filesystem;
 
 namespace {
-
-Parameter minimum_size_declaration(Level level) {
-  return {"minimum_size",
-          Parameter::Type::integer,
-          std::int64_t{level == Level::structural ? 30 : 300},
-          1,
-          1'000'000,
-          {},
-          "pixels",
-          "smallest patch whose relations are computed, for a focal length of 525"};
-}
-
-Parameter negatives_declaration() {
-  return {"negatives",
-          Parameter::Type::integer,
-          std::int64_t{1'000'000},
-          1,
-          1'000'000,
-          {},
-          "pairs",
-          "largest number of negative pairs that learning takes of one scene"};
-}
-
-constexpr const char* both_levels = "structural+assembly";
-
-Parameter levels_declaration() {
-  return {"levels", Parameter::Type::choice,    std::string("structural"), 0, 0, {"structural", both_levels},
-          "",       "levels that group patches"};
-}
 
 class Resolver {
  public:

@@ -43,7 +43,8 @@ TEST(Usage, HelpAndVersion) {
                                                   {"plugins", "list"},
                                                   {"plugins", "describe"},
                                                   {"config", "check"},
-                                                  {"config", "print"}}) {
+                                                  {"config", "print"},
+                                                  {"config", "schema"}}) {
     auto arguments = command;
     arguments.push_back("--help");
     const Outcome outcome = run_gestalt(arguments);

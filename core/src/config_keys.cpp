@@ -1,0 +1,35 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "config_keys.h"
+
+namespace gestalt::config {
+
+Parameter levels_declaration() {
+  return {"levels", Parameter::Type::choice,    std::string("structural"), 0, 0, {"structural", both_levels},
+          "",       "levels that group patches"};
+}
+
+Parameter minimum_size_declaration(Level level) {
+  return {"minimum_size",
+          Parameter::Type::integer,
+          std::int64_t{level == Level::structural ? 30 : 300},
+          1,
+          1'000'000,
+          {},
+          "pixels",
+          "smallest patch whose relations are computed, for a focal length of 525"};
+}
+
+Parameter negatives_declaration() {
+  return {"negatives",
+          Parameter::Type::integer,
+          std::int64_t{1'000'000},
+          1,
+          1'000'000,
+          {},
+          "pairs",
+          "largest number of negative pairs that learning takes of one scene"};
+}
+
+}  // namespace gestalt::config
