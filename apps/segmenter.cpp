@@ -14,10 +14,14 @@ namespace {
 
 /// Pictures of what the levels below the segments found, by file name.
 std::vector<OutputFile> debug_images(const std::filesystem::path& folder, const Pipeline& pipeline, Frame frame,
-                                     const Percept& percept) {
+                                     const Percept& percept, const Graph& graph) {
   frame.noise = pipeline.noise();
   const Scene scene(frame, percept.patches, percept.surfaces);
-  return {{folder / "lines.png", encode_png(draw_boundary_lines(scene))}};
+  return {{folder / "normals.png", encode_png(draw_normals(percept.patches.normals))},
+          {folder / "signal_patches.png", encode_png(draw_patches(percept.patches.labels))},
+          {folder / "surfaces.png", encode_png(draw_normals(surface_normals(frame, percept.surfaces)))},
+          {folder / "lines.png", encode_png(draw_boundary_lines(scene))},
+          {folder / "graph.png", encode_png(draw_graph(frame, percept.surfaces, graph))}};
 }
 
 }  // namespace
@@ -29,8 +33,9 @@ void add_segmenter_options(CLI::App& command, SegmenterOptions& options) {
       ->type_name("DIR");
   command.add_option("--camera", options.camera, "Intrinsics to use instead of the scene's camera.yaml")
       ->type_name("FILE");
-  command.add_flag("--debug-images", options.debug_images,
-                   "Write lines.png too: boundary lines, their junctions, collinearities and closures");
+  command.add_flag(
+      "--debug-images", options.debug_images,
+      "Write what each level found, too: normals.png, signal_patches.png, surfaces.png, lines.png, graph.png");
   add_pipeline_options(command, options.pipeline);
 }
 
@@ -51,7 +56,7 @@ SegmentedScene Segmenter::segment(const std::filesystem::path& scene) const {
   const Segmentation segmentation = pipeline_.decide(percept, models_, &times);
   const std::filesystem::path folder = output_ / input.frame.name;
   std::vector<OutputFile> pictures;
-  if (debug_images_) pictures = debug_images(folder, pipeline_, input.frame, percept);
+  if (debug_images_) pictures = debug_images(folder, pipeline_, input.frame, percept, segmentation.graph);
   write_result(folder, input, percept, segmentation, times, config_, std::move(pictures));
   const auto objects = std::count_if(segmentation.segments.begin(), segmentation.segments.end(),
                                      [](const Segment& segment) { return segment.role == Role::object; });

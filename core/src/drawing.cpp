@@ -64,4 +64,27 @@ cv::Mat draw_patches(const cv::Mat_<int>& labels) {
   return picture;
 }
 
+cv::Mat draw_normals(const cv::Mat_<cv::Vec3f>& normals) {
+  cv::Mat picture(normals.size(), CV_8UC3, cv::Scalar::all(0));
+  for (int v = 0; v < normals.rows; ++v)
+    for (int u = 0; u < normals.cols; ++u) {
+      const cv::Vec3f n = normals(v, u);
+      if (n != cv::Vec3f()) {
+        const auto channel = [](float value) { return cv::saturate_cast<std::uint8_t>(255 * value); };
+        picture.at<cv::Vec3b>(v, u) = {channel(-n[2]), channel((n[1] + 1) / 2), channel((n[0] + 1) / 2)};
+      }
+    }
+  return picture;
+}
+
+cv::Mat_<cv::Vec3f> surface_normals(const Frame& frame, const SurfaceSet& surfaces) {
+  cv::Mat_<cv::Vec3f> normals(surfaces.labels.size(), cv::Vec3f());
+  for (const Surface& surface : surfaces.surfaces)
+    for (const int pixel : surface.pixels) {
+      const Eigen::Vector3f normal = surface.model->foot(frame.point(pixel)).normal;
+      normals(pixel / normals.cols, pixel % normals.cols) = {normal.x(), normal.y(), normal.z()};
+    }
+  return normals;
+}
+
 }  // namespace gestalt

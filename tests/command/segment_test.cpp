@@ -65,13 +65,17 @@ TEST_F(Segment, WritesEveryResultOfAScene) {
   for (const char* name : {"labels.png", "overlay.png", "patches.png"}) EXPECT_EQ(image(result / name).size(), size);
 }
 
-TEST_F(Segment, DebugImagesShowTheBoundaryLines) {
+TEST_F(Segment, DebugImagesShowWhatEachLevelFound) {
   expect_success(segment({synthetic_scene(), "--debug-images"}));
   const fs::path result = out / "mixed_objects_1_000";
   std::vector<std::string> files = result_files;
-  files.emplace_back("lines.png");
+  for (const char* name : {"graph.png", "lines.png", "normals.png", "signal_patches.png", "surfaces.png"})
+    files.emplace_back(name);
   std::sort(files.begin(), files.end());
   EXPECT_EQ(files_below(result), files);
+  for (const char* name : {"normals.png", "signal_patches.png", "surfaces.png"})
+    EXPECT_EQ(image(result / name).size(), cv::Size(320, 240)) << name;
+  EXPECT_EQ(image(result / "graph.png").size(), cv::Size(640, 480));
   const cv::Mat lines = image(result / "lines.png");
   ASSERT_EQ(lines.type(), CV_8UC3);
   EXPECT_EQ(lines.size(), cv::Size(640, 480)) << "twice the frame's size";

@@ -36,6 +36,18 @@ GESTALT_EXPORT cv::Mat draw_patches(const cv::Mat_<int>& labels);
 /// cheapest collinearities (violet) and L-junctions (orange) between surfaces; T-junctions (red crosses).
 GESTALT_EXPORT cv::Mat draw_boundary_lines(const Scene& scene);
 
+/// CV_8UC3: unit normals as colours, (x + 1) / 2 in red, (y + 1) / 2 in green and -z in blue, so that what faces the
+/// camera is blue; black where there is none.
+GESTALT_EXPORT cv::Mat draw_normals(const cv::Mat_<cv::Vec3f>& normals);
+
+/// The normal of its surface at each pixel's foot, towards the camera; (0, 0, 0) where there is no surface.
+GESTALT_EXPORT cv::Mat_<cv::Vec3f> surface_normals(const Frame& frame, const SurfaceSet& surfaces);
+
+/// CV_8UC3, twice the frame's size: the graph that was cut, over the dimmed image. A disc at the pixel of each surface
+/// that is nearest to their mean; a line for each edge, from red (p = 0) by yellow to green (p = 1), the likeliest on
+/// top: thick at the structural level, thin at the assembly level, of which those below p = 0.5 are left out.
+GESTALT_EXPORT cv::Mat draw_graph(const Frame& frame, const SurfaceSet& surfaces, const Graph& graph);
+
 /// Writes labels.png, objects.png (the same with background at 0), overlay.png, patches.png and result.json, for
 /// unorganized clouds also labels.pcd (x y z label, the original points in their order; label 0 = in no segment), into
 /// a folder, and the files in more: all of them or, with OutputError, none.
