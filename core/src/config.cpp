@@ -26,6 +26,19 @@ ConfigTree::ConfigTree(const std::filesystem::path& file, const std::vector<std:
   for (const std::string& text : overrides) config::merge(draft, config::read_override(text, draft.problems));
 }
 
+ConfigTree ConfigTree::from_text(const std::string& name, const std::string& text,
+                                 const std::vector<std::string>& overrides) {
+  auto tree = std::make_unique<Tree>();
+  config::Draft& draft = tree->draft;
+  const config::Node root = config::read_root(name, text, draft.problems);
+  draft.start = {root.place.source, 1, 1};
+  config::merge(draft, root);
+  for (const std::string& override : overrides) config::merge(draft, config::read_override(override, draft.problems));
+  return ConfigTree(std::move(tree));
+}
+
+ConfigTree::ConfigTree(std::unique_ptr<Tree> tree) : tree_(std::move(tree)) {}
+
 ConfigTree::~ConfigTree() = default;
 ConfigTree::ConfigTree(ConfigTree&&) noexcept = default;
 ConfigTree& ConfigTree::operator=(ConfigTree&&) noexcept = default;

@@ -147,4 +147,14 @@ std::vector<Node> read_files(const fs::path& file, Problems& problems) {
   return roots;
 }
 
+Node read_root(const std::string& name, const std::string& text, Problems& problems) {
+  const auto source = std::make_shared<const Source>(Source{name, name, fs::current_path(), true});
+  check_characters(text, source, problems);
+  Node root = parse_yaml(text, source, problems);
+  check_root(root, problems);
+  if (const Node* extends = root.find("extends"))
+    problems.add(extends->place, "extends", "only a file can extend another one");
+  return root;
+}
+
 }  // namespace gestalt::config

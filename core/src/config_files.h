@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 #include <vector>
 
 #include "config_node.h"
@@ -14,5 +15,10 @@ namespace gestalt::config {
 /// empty with a problem added. Throws ConfigError for a file that cannot be read or is no YAML, and a chain that comes
 /// back to itself or is longer than 16 files; other problems are added.
 std::vector<Node> read_files(const std::filesystem::path& file, Problems& problems);
+
+/// The root of a text that is no file, and so extends none; name is what errors and provenance call it, and relative
+/// paths in it are relative to the current folder. A mapping, or empty with a problem added. Throws ConfigError for
+/// what is no YAML.
+Node read_root(const std::string& name, const std::string& text, Problems& problems);
 
 }  // namespace gestalt::config

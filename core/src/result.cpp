@@ -116,6 +116,11 @@ std::string point_labels(const Input& input, const cv::Mat_<std::uint16_t>& labe
   return bytes;
 }
 
+/// From which another program, started elsewhere, finds the input again; "" of one made in memory.
+std::string absolute_path(const std::filesystem::path& path) {
+  return path.empty() ? "" : std::filesystem::absolute(path).lexically_normal().string();
+}
+
 }  // namespace
 
 Json result_json(const Input& input, const Percept& percept, const Segmentation& segmentation, const LevelTimes& times,
@@ -127,6 +132,7 @@ Json result_json(const Input& input, const Percept& percept, const Segmentation&
           {"gestalt", GESTALT_VERSION},
           {"build", build_fingerprint()},
           {"scene", input.frame.name},
+          {"input", absolute_path(input.path)},
           {"camera", camera_json(input.frame.camera)},
           {"segments", segments_json(segmentation)},
           {"patches", std::move(patches)},

@@ -115,7 +115,9 @@ std::variant<PlaneSurface, BsplineSurface> read_shape(const json& object) {
   fail("surfaces of type '" + type + "' are unknown here; only plane and bspline can be read");
 }
 
-TrimmedSurface read_patch(const json& object) {
+}  // namespace
+
+TrimmedSurface read_surface(const json& object) {
   TrimmedSurface patch;
   patch.shape = within("surface", [&] { return read_shape(field(object, "surface")); });
   patch.points = count_field(object, "pixels");
@@ -136,6 +138,8 @@ TrimmedSurface read_patch(const json& object) {
   return patch;
 }
 
+namespace {
+
 StoredResult::Segment read_segment(const json& object, std::size_t patches, std::set<int>& taken) {
   StoredResult::Segment segment;
   const std::size_t label = count_field(object, "label");
@@ -152,13 +156,16 @@ StoredResult::Segment read_segment(const json& object, std::size_t patches, std:
   return segment;
 }
 
-StoredResult read(const json& content) {
+void check_format(const json& content) {
   if (!content.is_object() || !content.contains("format") || content["format"] != "gestalt-result")
     fail("is no result of `gestalt segment`: it has no \"format\": \"gestalt-result\"");
   if (count_field(content, "version") != 2) fail("is of another version of gestalt; its 'version' must be 2");
+}
+
+StoredResult read(const json& content) {
   StoredResult result;
   result.scene = text_field(content, "scene");
-  for_each(content, "patches", [&](const json& patch, std::size_t) { result.patches.push_back(read_patch(patch)); });
+  for_each(content, "patches", [&](const json& patch, std::size_t) { result.patches.push_back(read_surface(patch)); });
   if (result.patches.size() > 1000000) fail("'patches' must not have more than 1000000 of them");
   std::set<int> taken, labels;
   for_each(content, "segments", [&](const json& segment, std::size_t) {
@@ -168,23 +175,42 @@ StoredResult read(const json& content) {
   return result;
 }
 
-}  // namespace
+/// Runs work, and says which file it is and what to do where something is wrong with it.
+template <class Work>
+auto of_file(const fs::path& file, const Work& work) {
+  try {
+    return work();
+  } catch (const ModelError& problem) {
+    throw InputError(file.string() + ": " + problem.what() + remedy);
+  }
+}
 
-StoredResult read_result(const fs::path& file) {
-  const auto refuse = [&](const std::string& what) { return InputError(file.string() + ": " + what + remedy); };
+json parse(const fs::path& file) {
   std::error_code error;
-  if (const auto size = fs::file_size(file, error); !error && size > largest_file)
-    throw refuse("is larger than any result");
+  if (const auto size = fs::file_size(file, error); !error && size > largest_file) fail("is larger than any result");
   const std::string bytes = read_bytes(file);
   try {
-    return read(json::parse(bytes));
+    return json::parse(bytes);
   } catch (const json::parse_error& problem) {
-    throw refuse("is no valid JSON from byte " + std::to_string(problem.byte) + " on");
+    fail("is no valid JSON from byte " + std::to_string(problem.byte) + " on");
   } catch (const json::exception&) {
-    throw refuse("has a number out of range");
-  } catch (const ModelError& problem) {
-    throw refuse(problem.what());
+    fail("has a number out of range");
   }
+}
+
+}  // namespace
+
+json read_result_content(const fs::path& file) {
+  return of_file(file, [&] {
+    json content = parse(file);
+    check_format(content);
+    return content;
+  });
+}
+
+StoredResult read_result(const fs::path& file) {
+  const json content = read_result_content(file);
+  return of_file(file, [&] { return read(content); });
 }
 
 }  // namespace gestalt

@@ -481,6 +481,27 @@ plugin_directories: [a b]
   EXPECT_EQ(printed.plugin_directories(), tree.plugin_directories());
   const ConfigTree from_json(write("elsewhere/printed.json", tree.to_json(registry_).at("values").dump(2)), {});
   expect_equal(from_json.resolve(registry_), tree.resolve(registry_));
+  const ConfigTree from_text = ConfigTree::from_text("a result", tree.to_json(registry_).at("values").dump(), {});
+  expect_equal(from_text.resolve(registry_), tree.resolve(registry_));
+  EXPECT_EQ(from_text.to_json(registry_).at("provenance").at("structural.minimum_size"), "a result:1");
+}
+
+TEST_F(ConfigTest, ATextIsCheckedAsAFileIs) {
+  const auto error_of = [&](const std::string& text, const Overrides& overrides = {}) -> std::string {
+    try {
+      ConfigTree::from_text("a result", text, overrides).resolve(registry_);
+    } catch (const ConfigError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  EXPECT_EQ(error_of(base_text), "");
+  EXPECT_NE(error_of(std::string(base_text) + "extends: base.yaml\n").find("a result:13:10: extends: "),
+            std::string::npos);
+  EXPECT_NE(error_of("{").find("a result:"), std::string::npos);
+  EXPECT_NE(error_of("[]").find("a result:1:1: "), std::string::npos);
+  EXPECT_NE(error_of(base_text, {"structural.minimum_size=-1"}).find("--set structural.minimum_size=-1"),
+            std::string::npos);
 }
 
 TEST_F(ConfigTest, EveryValueTellsWhereItCameFrom) {

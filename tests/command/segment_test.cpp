@@ -152,6 +152,7 @@ TEST_F(Segment, TheResultTellsHowItWasMade) {
   const json result = json::parse(content(out / "mixed_objects_1_000" / "result.json"));
   const Camera camera = read_camera(synthetic_scenes() / "camera.yaml").camera;
   EXPECT_EQ(result.at("scene"), "mixed_objects_1_000");
+  EXPECT_EQ(result.at("input"), synthetic_scene().string());
   EXPECT_EQ(result.at("camera"), (json{{"width", 320},
                                        {"height", 240},
                                        {"fx", camera.fx},

@@ -58,6 +58,11 @@ class GESTALT_EXPORT ConfigTree {
   /// Throws ConfigError when a file cannot be read or is no YAML, or extends itself; what else is wrong is reported by
   /// resolve(), all together.
   ConfigTree(const std::filesystem::path& file, const std::vector<std::string>& overrides);
+
+  /// The same of a text, which extends nothing: YAML, or JSON as to_json() has it under "values". name is what messages
+  /// and provenance call it.
+  static ConfigTree from_text(const std::string& name, const std::string& text,
+                              const std::vector<std::string>& overrides);
   ~ConfigTree();
   ConfigTree(ConfigTree&&) noexcept;
   ConfigTree& operator=(ConfigTree&&) noexcept;
@@ -78,6 +83,7 @@ class GESTALT_EXPORT ConfigTree {
 
  private:
   struct Tree;
+  explicit ConfigTree(std::unique_ptr<Tree> tree);
   std::unique_ptr<Tree> tree_;
 };
 

@@ -15,9 +15,9 @@
 
 namespace gestalt {
 
-/// Everything that was found in a scene and how: size, camera, segments with their roles, surfaces and pixel counts,
-/// patches with their surface models, pairs with all relation values and p, milliseconds of each level. config is
-/// ConfigTree::to_json(). Pairs and patches count from 0, segments have their labels.
+/// Everything that was found in a scene and how: the input's absolute path, camera, segments with their roles, surfaces
+/// and pixel counts, patches with their surface models, pairs with all relation values and p, milliseconds of each
+/// level. config is ConfigTree::to_json(). Pairs and patches count from 0, segments have their labels.
 GESTALT_EXPORT nlohmann::json result_json(const Input& input, const Percept& percept, const Segmentation& segmentation,
                                           const LevelTimes& times, const nlohmann::json& config);
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <nlohmann/json_fwd.hpp>
 #include <string>
 #include <vector>
 
@@ -27,5 +28,12 @@ struct StoredResult {
 /// Reads a result.json, which may come from a stranger: everything in it is checked before it is used. Throws
 /// InputError naming the file, the place in it, what is wrong there and the remedy.
 GESTALT_EXPORT StoredResult read_result(const std::filesystem::path& file);
+
+/// The content of a result.json: an object of this format and version; nothing else in it is checked. Throws InputError
+/// as read_result() does.
+GESTALT_EXPORT nlohmann::json read_result_content(const std::filesystem::path& file);
+
+/// The surface of an element of "patches". Throws ModelError for damage, and for a shape that is not known here.
+GESTALT_EXPORT TrimmedSurface read_surface(const nlohmann::json& patch);
 
 }  // namespace gestalt
