@@ -32,10 +32,7 @@ LoadedConfig load_config(const PipelineOptions& options) {
 
 Models load_models(const Pipeline& pipeline) {
   Models models = pipeline.load_models();
-  const auto differs = [&](Level level, const Model& model) {
-    return model.config_hash != config_hash(pipeline.config(), level);
-  };
-  if (differs(Level::structural, models.structural) || (models.assembly && differs(Level::assembly, *models.assembly)))
+  if (pipeline.trained_otherwise(models))
     std::cerr << "gestalt: warning: " << pipeline.config().model.string()
               << " was trained with other parameters of the levels below the classifier; retrain it for this config\n";
   return models;

@@ -48,14 +48,6 @@ Image read_companion(const fs::path& file, Image (*read)(const fs::path&), cv::S
   return image;
 }
 
-cv::Mat_<float> metres(const cv::Mat_<std::uint16_t>& raw, double scale) {
-  cv::Mat_<float> depth(raw.size());
-  const auto* first = raw.ptr<std::uint16_t>();
-  // In double, so that a whole number of millimetres becomes the nearest float.
-  std::transform(first, first + raw.total(), depth.ptr<float>(), [&](std::uint16_t d) { return float(d * scale); });
-  return depth;
-}
-
 Input read_folder(const fs::path& folder, const std::optional<CameraFile>& given) {
   std::error_code error;
   const fs::path depth_file = folder / "depth.png", colour_file = folder / "rgb.png", label_file = folder / "label.png";
@@ -74,7 +66,7 @@ Input read_folder(const fs::path& folder, const std::optional<CameraFile>& given
   cv::Mat colour;
   if (fs::exists(colour_file, error)) colour = read_companion(colour_file, read_colour_png, raw.size());
   if (fs::exists(label_file, error)) input.ground_truth = read_companion(label_file, read_label_png, raw.size());
-  input.frame = make_frame(folder.string(), colour, metres(raw, camera->depth_scale), camera->camera);
+  input.frame = make_frame(folder.string(), colour, depth_in_metres(raw, camera->depth_scale), camera->camera);
   return input;
 }
 
@@ -164,6 +156,14 @@ Input read_cloud(const fs::path& file, const std::optional<CameraFile>& given) {
 }
 
 }  // namespace
+
+cv::Mat_<float> depth_in_metres(const cv::Mat_<std::uint16_t>& raw, double scale) {
+  cv::Mat_<float> depth(raw.size());
+  const auto* first = raw.ptr<std::uint16_t>();
+  // In double, so that a whole number of millimetres becomes the nearest float.
+  std::transform(first, first + raw.total(), depth.ptr<float>(), [&](std::uint16_t d) { return float(d * scale); });
+  return depth;
+}
 
 Input read_scene(const fs::path& path, const std::optional<CameraFile>& camera) {
   std::error_code error;

@@ -38,6 +38,18 @@ std::optional<Eigen::Vector2d> SurfaceModel::parameters(const Eigen::Vector3f&) 
 
 std::unique_ptr<Observation> Relation::observe(const Images&) const { return nullptr; }
 
+void Measure::measure(std::span<const SurfacePair> pairs, std::span<double> values) const {
+  if (pairs.empty()) return;
+  const std::size_t columns = values.size() / pairs.size();
+  for (std::size_t i = 0; i < pairs.size(); ++i) (*this)(pairs[i], values.subspan(i * columns, columns));
+}
+
+void Predictor::probabilities(std::span<const double> values, std::span<double> p) const {
+  if (p.empty()) return;
+  const std::size_t columns = values.size() / p.size();
+  for (std::size_t i = 0; i < p.size(); ++i) p[i] = probability(values.subspan(i * columns, columns));
+}
+
 std::string Fitter::refusal(std::span<const Eigen::Vector3f>) const { return ""; }
 
 std::shared_ptr<const SurfaceModel> Fitter::fit_merged(const SurfaceModel&, std::span<const Eigen::Vector3f> points_a,

@@ -119,6 +119,15 @@ double Model::probability(std::span<const double> values) const {
   return predictor->probability(scaled);
 }
 
+std::vector<double> Model::probabilities(std::span<const double> values) const {
+  std::vector<double> scaled(values.size());
+  for (std::size_t at = 0; at < values.size(); at += names.size())
+    scaling.apply(values.subspan(at, names.size()), std::span(scaled).subspan(at, names.size()));
+  std::vector<double> p(values.size() / names.size());
+  predictor->probabilities(scaled, p);
+  return p;
+}
+
 Model train_model(const Classifier& classifier, std::string classifier_name, std::vector<std::string> names,
                   const Samples& samples, TrainingData training, std::string config_hash) {
   require_both_classes(samples);

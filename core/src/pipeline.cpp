@@ -33,6 +33,17 @@ class Stopwatch {
   std::chrono::steady_clock::time_point start_ = std::chrono::steady_clock::now();
 };
 
+/// Puts the pairs of some rows of a table into the graph.
+void add_edges(Graph& graph, const RelationTable& table, const std::vector<std::size_t>& rows, const Model& model,
+               Level level) {
+  std::vector<double> values;
+  values.reserve(rows.size() * table.names.size());
+  for (const std::size_t row : rows) values.insert(values.end(), table.row(row).begin(), table.row(row).end());
+  const std::vector<double> p = model.probabilities(values);
+  for (std::size_t i = 0; i < rows.size(); ++i)
+    graph.edges.push_back({table.pairs[rows[i]].a, table.pairs[rows[i]].b, p[i], level});
+}
+
 /// Groups of surfaces as segments, largest first; equal sizes in order of their first surface.
 Segmentation assemble(const SurfaceSet& surfaces, const std::vector<Role>& roles, Graph graph,
                       const std::vector<int>& groups) {
@@ -116,6 +127,14 @@ Models Pipeline::load_models() const {
                      assembly_ ? std::optional(expected_model(Level::assembly)) : std::nullopt);
 }
 
+bool Pipeline::trained_otherwise(const Models& models) const {
+  const auto otherwise = [&](Level level, const Model& model) {
+    return model.config_hash != gestalt::config_hash(config_, level);
+  };
+  return otherwise(Level::structural, models.structural) ||
+         (models.assembly && otherwise(Level::assembly, *models.assembly));
+}
+
 Percept Pipeline::perceive(const Frame& frame) const {
   Percept percept;
   isolated([&] { percept = perceive_uncancelled(frame); });
@@ -169,11 +188,12 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
 Graph Pipeline::structural_graph(const Percept& percept, const Model& model) const {
   Graph graph;
   for (const Surface& surface : percept.surfaces.surfaces) graph.sizes.push_back(int(surface.pixels.size()));
+  std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < percept.structural.pairs.size(); ++i) {
     const auto [a, b] = percept.structural.pairs[i];
-    if (figure_ground_.separate && percept.roles[std::size_t(a)] != percept.roles[std::size_t(b)]) continue;
-    graph.edges.push_back({a, b, model.probability(percept.structural.row(i)), Level::structural});
+    if (!figure_ground_.separate || percept.roles[std::size_t(a)] == percept.roles[std::size_t(b)]) rows.push_back(i);
   }
+  add_edges(graph, percept.structural, rows, model, Level::structural);
   return graph;
 }
 
@@ -208,10 +228,7 @@ Segmentation Pipeline::decide(const Percept& percept, const Models& models, Leve
   if (assembly_) {
     {
       const Stopwatch watch(spent.assembly);
-      for (const std::size_t row : assembly_rows(percept, groups)) {
-        const auto [a, b] = percept.assembly.pairs[row];
-        graph.edges.push_back({a, b, models.assembly->probability(percept.assembly.row(row)), Level::assembly});
-      }
+      add_edges(graph, percept.assembly, assembly_rows(percept, groups), *models.assembly, Level::assembly);
       std::sort(graph.edges.begin(), graph.edges.end(),
                 [](const Edge& x, const Edge& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
     }

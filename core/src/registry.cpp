@@ -89,9 +89,7 @@ void Registry::open(const fs::path& library) {
   }
   for (std::uint32_t i = 0; i < manifest->component_count; ++i) {
     const gestalt_component& c = manifest->components[i];
-    if (const ComponentInfo* other = find(c.kind, c.name))
-      throw PluginError("two plugins offer the " + other->kind + " '" + other->name + "': " + other->library.string() +
-                        " and " + library.string() + "; remove one of them or its directory from the search path");
+    require_new(c.kind, c.name, library);
     const void* factory = nullptr;
     try {
       factory = c.factory();
@@ -106,10 +104,34 @@ void Registry::open(const fs::path& library) {
       rejected_.push_back({library, std::string("the factory of '") + c.name + "' gave nothing"});
       continue;
     }
-    components_.push_back({c.kind, c.name, c.version, c.description, library});
-    factories_.push_back(factory);
+    append({c.kind, c.name, c.version, c.description, library},
+           std::shared_ptr<const void>(std::shared_ptr<void>(), factory));
   }
 }
+
+void Registry::require_new(std::string_view kind, std::string_view name, const fs::path& library) const {
+  if (const ComponentInfo* other = find(kind, name))
+    throw PluginError("two plugins offer the " + other->kind + " '" + other->name + "': " + other->library.string() +
+                      " and " + library.string() + "; remove one of them or its directory from the search path");
+}
+
+void Registry::append(ComponentInfo info, std::shared_ptr<const void> factory) {
+  components_.push_back(std::move(info));
+  factories_.push_back(std::move(factory));
+}
+
+template <class Kind>
+void Registry::add(ComponentInfo info, Factory<Kind> factory) {
+  info.kind = kind_name<Kind>;
+  require_new(info.kind, info.name, info.library);
+  append(std::move(info), std::make_shared<const Factory<Kind>>(std::move(factory)));
+}
+
+template GESTALT_EXPORT void Registry::add(ComponentInfo, Factory<Clusterer>);
+template GESTALT_EXPORT void Registry::add(ComponentInfo, Factory<Fitter>);
+template GESTALT_EXPORT void Registry::add(ComponentInfo, Factory<Relation>);
+template GESTALT_EXPORT void Registry::add(ComponentInfo, Factory<Classifier>);
+template GESTALT_EXPORT void Registry::add(ComponentInfo, Factory<Solver>);
 
 std::vector<std::string> Registry::names(std::string_view kind) const {
   std::vector<std::string> names;
@@ -126,7 +148,7 @@ const ComponentInfo* Registry::find(std::string_view kind, std::string_view name
 }
 
 const void* Registry::factory(std::string_view kind, std::string_view name) const {
-  if (const ComponentInfo* found = find(kind, name)) return factories_[std::size_t(found - components_.data())];
+  if (const ComponentInfo* found = find(kind, name)) return factories_[std::size_t(found - components_.data())].get();
   std::ostringstream message;
   message << "there is no " << kind << " '" << name << "'" << did_you_mean(name, names(kind)) << "\n  known:";
   for (const std::string& known : names(kind)) message << ' ' << known;

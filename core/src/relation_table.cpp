@@ -3,6 +3,7 @@
 
 #include "gestalt/relation_table.h"
 
+#include <tbb/blocked_range.h>
 #include <tbb/parallel_for.h>
 #include <tbb/parallel_for_each.h>
 
@@ -14,6 +15,9 @@
 namespace gestalt {
 
 namespace {
+
+// So many that a call costs little beside them, so few that all threads have some.
+constexpr std::size_t pairs_at_once = 16;
 
 void check_values(const NamedRelation& named, std::span<const double> values) {
   const std::vector<RelationValue>& declared = named.relation->values();
@@ -105,14 +109,21 @@ RelationTable relate(const std::vector<SurfacePair>& pairs, const std::vector<Na
   std::vector<std::vector<std::size_t>> kept_of;
   kept_of.reserve(relations.size());
   for (const NamedRelation& named : relations) kept_of.push_back(kept(named));
-  tbb::parallel_for(std::size_t{0}, pairs.size(), [&](std::size_t i) {
-    auto cell = table.values.begin() + std::ptrdiff_t(i * columns);
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), pairs_at_once), [&](const auto& range) {
+    const std::span<const SurfacePair> some(pairs.data() + range.begin(), range.size());
+    std::size_t column = 0;
     std::vector<double> own;
     for (std::size_t r = 0; r < relations.size(); ++r) {
-      own.assign(relations[r].relation->values().size(), 0);
-      measures.of (*relations[r].relation)(pairs[i], own);
-      check_values(relations[r], own);
-      for (const std::size_t value : kept_of[r]) *cell++ = own[value];
+      const std::size_t width = relations[r].relation->values().size();
+      own.assign(width * some.size(), 0);
+      measures.of(*relations[r].relation).measure(some, own);
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        const std::span<const double> row(own.data() + i * width, width);
+        check_values(relations[r], row);
+        for (std::size_t k = 0; k < kept_of[r].size(); ++k)
+          table.values[(range.begin() + i) * columns + column + k] = row[kept_of[r][k]];
+      }
+      column += kept_of[r].size();
     }
   });
   return table;

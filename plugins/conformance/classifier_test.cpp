@@ -72,6 +72,13 @@ TEST_P(ClassifierContract, LearnsASeparableSet) {
   EXPECT_GE(right, 145) << "of 150";
 }
 
+TEST_P(ClassifierContract, DecidesManyRowsAsItDoesOne) {
+  const auto predictor = subject_->train(samples_);
+  std::vector<double> together(samples_.rows());
+  predictor->probabilities(samples_.values, together);
+  EXPECT_EQ(together, probabilities(*predictor, samples_));
+}
+
 TEST_P(ClassifierContract, LearnsTheSameTwiceAndForAnyNumberOfThreads) {
   const auto run = [&] { return subject_->train(samples_)->state(); };
   const json one = with_threads(1, run);

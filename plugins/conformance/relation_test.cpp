@@ -62,6 +62,23 @@ TEST_P(RelationContract, GivesFiniteValuesInItsRange) {
   }
 }
 
+TEST_P(RelationContract, MeasuresManyPairsAsItDoesOne) {
+  for (const NamedScene& named : scenes()) {
+    SCOPED_TRACE(named.name);
+    const Scene scene(named.known.frame, named.known.patches, named.known.surfaces);
+    const auto measure = subject_->bind(scene);
+    std::vector<SurfacePair> pairs;
+    for (const Adjacency& border : named.known.surfaces.adjacencies) pairs.push_back({border.a, border.b, &border});
+    const std::size_t columns = subject_->values().size();
+    std::vector<double> together(pairs.size() * columns), alone(columns);
+    measure->measure(pairs, together);
+    for (std::size_t i = 0; i < pairs.size(); ++i) {
+      (*measure)(pairs[i], alone);
+      for (std::size_t k = 0; k < columns; ++k) EXPECT_EQ(together[i * columns + k], alone[k]) << "pair " << i;
+    }
+  }
+}
+
 TEST_P(RelationContract, IsSymmetric) {
   for (const NamedScene& scene : scenes()) {
     SCOPED_TRACE(scene.name);

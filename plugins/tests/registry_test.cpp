@@ -6,6 +6,7 @@
 #include <gtest/gtest.h>
 
 #include <cstdlib>
+#include <numeric>
 #include <optional>
 
 #include "gestalt/error.h"
@@ -81,10 +82,40 @@ TEST(Registry, AKindIsNotMistakenForAnother) {
   EXPECT_THROW(registry.create<Fitter>("one_group", {}), PluginError);
 }
 
+/// Every node in a group of its own.
+struct Apart final : Solver {
+  std::vector<int> solve(const Graph& graph) const override {
+    std::vector<int> groups(graph.sizes.size());
+    std::iota(groups.begin(), groups.end(), 0);
+    return groups;
+  }
+};
+
+Factory<Solver> apart() {
+  return {{}, [](const ParameterValues&) { return std::make_unique<Apart>(); }};
+}
+
+TEST(Registry, TakesAComponentOfTheProgram) {
+  Registry registry({broken("sound")});
+  registry.add<Solver>({"", "apart", "1.0.0", "Every node alone", "this program"}, apart());
+  EXPECT_EQ(registry.names("solver"), (std::vector<std::string>{"apart", "one_group"}));
+  EXPECT_TRUE(registry.parameters("solver", "apart").empty());
+  EXPECT_EQ(registry.create<Solver>("apart", {})->solve({{1, 1}, {}}), (std::vector<int>{0, 1}));
+}
+
+TEST(Registry, TakesNoComponentOfAPluginsNameFromTheProgram) {
+  Registry registry({broken("sound")});
+  const auto message = message_of<PluginError>([&] {
+    registry.add<Solver>({"", "one_group", "1.0.0", "", "this program"}, apart());
+  });
+  expect_in("two plugins offer the solver 'one_group'", message);
+  expect_in("this program", message);
+}
+
 TEST(Registry, RejectsAnOldInterface) {
   const std::string reason = rejection("old_interface");
   expect_in("interface 0", reason);
-  expect_in("this core has 3", reason);
+  expect_in("this core has 4", reason);
 }
 
 TEST(Registry, RejectsAnotherBuildAndTellsBoth) {

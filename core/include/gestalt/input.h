@@ -27,6 +27,9 @@ struct CameraFile {
 /// Throws InputError with all errors of the file together, each `file:line:column: message`, counted from 1.
 GESTALT_EXPORT CameraFile read_camera(const std::filesystem::path& file);
 
+/// Depth in metres, each the float that is nearest to raw * scale; scale as CameraFile::depth_scale.
+GESTALT_EXPORT cv::Mat_<float> depth_in_metres(const cv::Mat_<std::uint16_t>& raw, double scale);
+
 /// The camera.yaml that belongs to a scene: in the scene folder, or the folder that holds the cloud, or its nearest
 /// parent (as the path is written: symbolic links are not resolved). Nothing when there is none.
 GESTALT_EXPORT std::optional<std::filesystem::path> find_camera_file(const std::filesystem::path& scene);

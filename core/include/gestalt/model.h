@@ -43,6 +43,9 @@ struct GESTALT_EXPORT Model {
 
   /// p(same | r) for raw relation values in the order of names.
   double probability(std::span<const double> values) const;
+
+  /// p(same | r) of many rows that follow each other in values.
+  std::vector<double> probabilities(std::span<const double> values) const;
 };
 
 /// Scales the samples, trains, and bundles the result. samples hold raw values; training names their scenes, the pairs

@@ -64,6 +64,9 @@ class GESTALT_EXPORT Pipeline {
   /// Reads the config's model. Throws ModelError when the config names none, or it does not fit.
   Models load_models() const;
 
+  /// Whether the models, which fit, were trained with other parameters of the levels below the classifiers.
+  bool trained_otherwise(const Models& models) const;
+
   /// Signal and primitive level, and the relations of all levels. Throws InputError when a relation needs colour and
   /// the frame has none. A TBB group in which this is called does not cancel it.
   Percept perceive(const Frame& frame) const;

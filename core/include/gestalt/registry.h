@@ -27,14 +27,19 @@ struct RejectedLibrary {
   std::string reason;
 };
 
-/// The components of all plugins in a list of directories. Libraries are bound completely when they are opened and
-/// never unloaded, so whatever a component makes may outlive the registry. Immutable once made; const use from
-/// many threads is safe.
+/// The components of all plugins in a list of directories, and of the program. Libraries are bound completely when they
+/// are opened and never unloaded, so whatever a component makes may outlive the registry. Immutable once made; const
+/// use from many threads is safe.
 class GESTALT_EXPORT Registry {
  public:
   /// Opens every *.so of the directories, in order of directory, then of file name. A directory that does not exist is
   /// remembered as searched and is no error. Throws PluginError when two libraries offer the same kind and name.
   explicit Registry(std::vector<std::filesystem::path> directories);
+
+  /// Adds a component of the running program, such as one of another language, before the registry is used. info.kind
+  /// is set; info.library tells where it comes from, in messages. Throws PluginError when there is one of that name.
+  template <class Kind>
+  void add(ComponentInfo info, Factory<Kind> factory);
 
   const std::vector<std::filesystem::path>& searched() const { return searched_; }
   const std::vector<ComponentInfo>& components() const { return components_; }
@@ -57,10 +62,12 @@ class GESTALT_EXPORT Registry {
  private:
   const void* factory(std::string_view kind, std::string_view name) const;
   void open(const std::filesystem::path& library);
+  void require_new(std::string_view kind, std::string_view name, const std::filesystem::path& library) const;
+  void append(ComponentInfo info, std::shared_ptr<const void> factory);
 
   std::vector<std::filesystem::path> searched_;
   std::vector<ComponentInfo> components_;
-  std::vector<const void*> factories_;  // parallel to components_
+  std::vector<std::shared_ptr<const void>> factories_;  // parallel to components_; those of plugins are theirs
   std::vector<RejectedLibrary> rejected_;
 };
 

@@ -40,6 +40,10 @@ class GESTALT_EXPORT Measure {
   /// Writes the relation's values for the pair, in declared order. Const, thread-safe, symmetric in a and b, and
   /// finite and in the declared range for any two non-empty surfaces.
   virtual void operator()(const SurfacePair& pair, std::span<double> values) const = 0;
+
+  /// The values of many pairs, row-major: by default one pair after the other. To override where many are cheaper at
+  /// once, as for a relation in another language. A frame's pairs may come in several calls at a time.
+  virtual void measure(std::span<const SurfacePair> pairs, std::span<double> values) const;
 };
 
 /// Structural and assembly level (Eq. 9 and 11): a Gestalt relation between two surfaces.

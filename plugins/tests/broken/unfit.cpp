@@ -4,6 +4,7 @@
 // One component of each kind that loads and breaks its contract. Every fault is one that the conformance suite must
 // find: see conformance_test.cpp.
 
+#include <algorithm>
 #include <atomic>
 #include <limits>
 #include <nlohmann/json.hpp>
@@ -92,6 +93,9 @@ class UnfitPredictor final : public Predictor {
  public:
   explicit UnfitPredictor(double p) : p_(p) {}
   double probability(std::span<const double>) const override { return p_; }
+  void probabilities(std::span<const double>, std::span<double> p) const override {
+    std::fill(p.begin(), p.end(), p_ / 2);
+  }
   nlohmann::json state() const override { return {{"p", p_}, {"note", "not needed"}}; }
 
  private:
