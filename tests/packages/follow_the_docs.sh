@@ -31,3 +31,18 @@ step "train and evaluate with it"
 gestalt train scenes --config own_relation/config.yaml --output own_relation/own_relation.json
 gestalt evaluate scenes --config own_relation/config.yaml
 gestalt segment scenes --config own_relation/config.yaml --output own_out
+
+step "call it from Python"
+apt-get install -y -qq --no-install-recommends /packages/python3-gestalt_*.deb >log 2>&1 || { tail -20 log; exit 1; }
+cat >call.py <<'PYTHON'
+import pathlib
+import gestalt
+
+scene = gestalt.read_scene(min(pathlib.Path("scenes").glob("*/depth.png")).parent)
+overrides = [f"model={pathlib.Path('own_relation/own_relation.json').resolve()}"]
+pipeline = gestalt.Pipeline("own_relation/config.yaml", overrides)
+result = pipeline(scene.colour, scene.depth, scene.camera)
+print(result, result.structural["names"])
+assert result.objects and len(result.structural["names"]) == result.structural["values"].shape[1]
+PYTHON
+python3 call.py

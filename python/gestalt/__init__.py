@@ -1,0 +1,78 @@
+# SPDX-FileCopyrightText: 2026 The Gestalt authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Segments unknown objects in RGB-D frames by learned perceptual grouping.
+
+>>> pipeline = gestalt.Pipeline()
+>>> result = pipeline(colour, depth, gestalt.Camera(640, 480, 525, 525, 319.5, 239.5))
+>>> result.object_labels, result.objects, result.structural["probabilities"]
+"""
+
+from typing import NamedTuple
+
+import numpy
+from numpy.typing import NDArray
+
+from . import _gestalt
+from ._gestalt import (
+    Camera,
+    ConfigError,
+    Error,
+    InputError,
+    ModelError,
+    OutputError,
+    Pipeline,
+    PluginError,
+    Result,
+    SceneView,
+    __version__,
+    cross_validate,
+    data_directory,
+    score,
+    train,
+)
+from .components import Classifier, Parameter, Relation, Solver, Value, register
+from .types import Path
+
+__all__ = [
+    "Camera",
+    "Classifier",
+    "ConfigError",
+    "Error",
+    "InputError",
+    "ModelError",
+    "OutputError",
+    "Parameter",
+    "Pipeline",
+    "PluginError",
+    "Relation",
+    "Result",
+    "Scene",
+    "SceneView",
+    "Solver",
+    "Value",
+    "__version__",
+    "cross_validate",
+    "data_directory",
+    "read_scene",
+    "register",
+    "score",
+    "train",
+]
+
+
+class Scene(NamedTuple):
+    """A frame with its ground truth, as it was read."""
+
+    name: str
+    colour: NDArray[numpy.uint8] | None
+    """(height, width, 3) uint8, red green blue."""
+    depth: NDArray[numpy.float32]
+    """(height, width) float32, metres; 0 where there is none."""
+    camera: Camera
+    labels: NDArray[numpy.uint16] | None
+    """(height, width) uint16: the ground truth."""
+
+
+def read_scene(path: Path, camera: Camera | None = None) -> Scene:
+    """Reads a scene folder or a cloud; camera replaces the scene's. Raises InputError."""
+    return Scene(*_gestalt.read_scene(path, camera))

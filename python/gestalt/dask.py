@@ -1,0 +1,120 @@
+# SPDX-FileCopyrightText: 2026 The Gestalt authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""Many frames and many configs on a cluster, through Dask's distributed.
+
+>>> with distributed.Client() as client:
+...     outcomes = gestalt.dask.segment(client, scenes, "out")
+
+Every frame, and every variant of an ablation, is a task of one thread: give workers one thread each. Paths must mean the
+same to all workers. A task whose worker is lost runs again elsewhere; its files replace those of the first time, whole.
+"""
+
+import functools
+import os
+from collections.abc import Callable, Iterable, Mapping, Sequence
+from typing import Any, NamedTuple, TypeVar
+
+import distributed
+
+from . import _gestalt
+from .components import Component, registered
+from .types import Path, Scores
+
+__all__ = ["Outcome", "ablate", "segment"]
+
+
+class Outcome(NamedTuple):
+    """What became of a scene."""
+
+    scene: str
+    folder: str | None
+    """Of the results; None when there are none."""
+    objects: int
+    milliseconds: float
+    """Of all levels together."""
+    error: str | None
+
+
+# Arguments of a pipeline as tasks take them: hashable.
+Overrides = tuple[str, ...]
+Components = tuple[tuple[str, type[Component]], ...]
+Answer = TypeVar("Answer")
+
+
+@functools.lru_cache(maxsize=4)
+def _pipeline(config: str | None, overrides: Overrides, components: Components) -> _gestalt.Pipeline:
+    return _gestalt.Pipeline(config, list(overrides), components=dict(components), threads=1)
+
+
+def _segment(scene: str, output: str, config: str | None, overrides: Overrides, components: Components) -> Outcome:
+    pipeline = _pipeline(config, overrides, components)
+    try:
+        result = pipeline.segment(scene)
+    except (_gestalt.InputError, _gestalt.PluginError) as error:
+        return Outcome(scene, None, 0, 0.0, str(error))
+    folder = os.path.join(output, result.name)
+    result.save(folder)
+    return Outcome(scene, folder, len(result.objects), sum(result.milliseconds.values()), None)
+
+
+def _cross_validate(
+    scenes: tuple[str, ...], folds: int, seed: int, config: str | None, overrides: Overrides, components: Components
+) -> Scores:
+    return _gestalt.cross_validate(
+        list(scenes), folds, seed, config, list(overrides), components=dict(components), threads=1
+    )
+
+
+def _given(
+    config: Path | None, overrides: Sequence[str], components: Mapping[str, type[Component]] | None
+) -> tuple[str | None, Overrides, Components]:
+    known = registered if components is None else components
+    return None if config is None else os.fspath(config), tuple(overrides), tuple(sorted(known.items()))
+
+
+def _spread(
+    client: distributed.Client, task: Callable[..., Answer], arguments: Iterable[tuple[Any, ...]]
+) -> list[Answer]:
+    futures = [client.submit(task, *each, pure=False) for each in arguments]
+    try:
+        answers: list[Answer] = client.gather(futures)
+        return answers
+    finally:
+        client.cancel(futures)
+
+
+def segment(
+    client: distributed.Client,
+    scenes: Sequence[Path],
+    output: Path,
+    config: Path | None = None,
+    overrides: Sequence[str] = (),
+    *,
+    components: Mapping[str, type[Component]] | None = None,
+) -> list[Outcome]:
+    """Segments scenes and writes the results of each into a folder of its name under output.
+
+    Returns their outcomes in order. A scene that cannot be used does not stop the others. The other arguments are those of
+    Pipeline; raises what that raises, and OutputError.
+    """
+    given = _given(config, overrides, components)
+    return _spread(client, _segment, [(os.fspath(scene), os.fspath(output), *given) for scene in scenes])
+
+
+def ablate(
+    client: distributed.Client,
+    scenes: Sequence[Path],
+    variants: Mapping[str, Sequence[str]],
+    folds: int = 5,
+    seed: int = 0,
+    config: Path | None = None,
+    *,
+    components: Mapping[str, type[Component]] | None = None,
+) -> dict[str, Scores]:
+    """Cross-validates configs that differ in overrides; returns of each variant what cross_validate() returns.
+
+    >>> gestalt.dask.ablate(client, scenes, {"all": [], "no gabor": ["structural.relations.gabor=off"]})
+    """
+    paths = tuple(os.fspath(scene) for scene in scenes)
+    arguments = [(paths, folds, seed, *_given(config, overrides, components)) for overrides in variants.values()]
+    return dict(zip(variants, _spread(client, _cross_validate, arguments)))

@@ -1,0 +1,102 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "arrays.h"
+
+#include <opencv2/imgproc.hpp>
+#include <string>
+
+#include "gestalt/error.h"
+#include "gestalt/input.h"
+
+namespace gestalt::python {
+
+namespace {
+
+std::string description(const py::array& array) {
+  std::string text = "an array of " + py::cast<std::string>(py::str(array.dtype())) + " of shape (";
+  for (py::ssize_t i = 0; i < array.ndim(); ++i) text += (i ? ", " : "") + std::to_string(array.shape(i));
+  return text + ")";
+}
+
+/// The array with its rows one after the other.
+template <class T>
+py::array_t<T> packed(const py::array& array) {
+  return py::array_t<T, py::array::c_style | py::array::forcecast>(array);
+}
+
+}  // namespace
+
+cv::Mat colour_image(const py::object& colour) {
+  if (colour.is_none()) return {};
+  const auto array = py::array::ensure(colour);
+  if (!array || array.ndim() != 3 || array.shape(2) != 3 || !py::isinstance<py::array_t<std::uint8_t>>(array))
+    throw InputError("colour: expected None or uint8 of shape (height, width, 3), got " +
+                     (array ? description(array) : std::string("no array")));
+  const py::array_t<std::uint8_t> rows = packed<std::uint8_t>(array);
+  const cv::Mat view(int(rows.shape(0)), int(rows.shape(1)), CV_8UC3, const_cast<std::uint8_t*>(rows.data()));
+  cv::Mat image;
+  cv::cvtColor(view, image, cv::COLOR_RGB2BGR);
+  return image;
+}
+
+cv::Mat_<float> depth_image(const py::array& depth) {
+  const bool millimetres = py::isinstance<py::array_t<std::uint16_t>>(depth);
+  if (depth.ndim() != 2 || (!millimetres && depth.dtype().kind() != 'f'))
+    throw InputError("depth: expected uint16 (millimetres) or float (metres) of shape (height, width), got " +
+                     description(depth));
+  const int height = int(depth.shape(0)), width = int(depth.shape(1));
+  cv::Mat_<float> image;
+  if (millimetres) {
+    const py::array_t<std::uint16_t> rows = packed<std::uint16_t>(depth);
+    image = depth_in_metres(cv::Mat_<std::uint16_t>(height, width, const_cast<std::uint16_t*>(rows.data())), 0.001);
+  } else {
+    const py::array_t<float> rows = packed<float>(depth);
+    image = cv::Mat(height, width, CV_32FC1, const_cast<float*>(rows.data())).clone();
+  }
+  return image;
+}
+
+py::array array_of(const cv::Mat& image) {
+  const auto type = [&]() -> py::dtype {
+    switch (image.depth()) {
+      case CV_8U:
+        return py::dtype::of<std::uint8_t>();
+      case CV_16U:
+        return py::dtype::of<std::uint16_t>();
+      case CV_32S:
+        return py::dtype::of<std::int32_t>();
+      default:
+        return py::dtype::of<float>();
+    }
+  }();
+  const py::capsule owner(new cv::Mat(image), [](void* mat) { delete static_cast<cv::Mat*>(mat); });
+  std::vector<py::ssize_t> shape{image.rows, image.cols};
+  std::vector<py::ssize_t> strides{py::ssize_t(image.step[0]), py::ssize_t(image.elemSize())};
+  if (image.channels() > 1) {
+    shape.push_back(image.channels());
+    strides.push_back(py::ssize_t(image.elemSize1()));
+  }
+  py::array array(type, shape, strides, image.data, owner);
+  array.attr("flags").attr("writeable") = false;
+  return array;
+}
+
+py::object colour_array(const cv::Mat& colour) {
+  if (colour.empty()) return py::none();
+  cv::Mat image;
+  cv::cvtColor(colour, image, cv::COLOR_BGR2RGB);
+  return array_of(image);
+}
+
+py::object object_of(const nlohmann::json& json) {
+  const std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
+  return py::module_::import("json").attr("loads")(text);
+}
+
+nlohmann::json json_of(const py::object& object) {
+  const py::object text = py::module_::import("json").attr("dumps")(object, py::arg("allow_nan") = false);
+  return nlohmann::json::parse(py::cast<std::string>(text));
+}
+
+}  // namespace gestalt::python

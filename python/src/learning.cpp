@@ -1,0 +1,128 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include "arrays.h"
+#include "components.h"
+#include "gestalt/cross_validation.h"
+#include "gestalt/error.h"
+#include "gestalt/evaluation.h"
+#include "gestalt/for_all.h"
+#include "gestalt/input.h"
+#include "gestalt/learning_set.h"
+#include "segmenter.h"
+
+namespace gestalt::python {
+
+namespace {
+
+namespace fs = std::filesystem;
+using Labels = cv::Mat_<std::uint16_t>;
+
+/// Labelled scenes as learning and scoring need them.
+struct PerceivedScenes {
+  std::vector<LearningScene> scenes;
+  std::vector<Labels> ground_truth;
+
+  std::vector<const LearningScene*> pointers() const {
+    std::vector<const LearningScene*> all;
+    for (const LearningScene& scene : scenes) all.push_back(&scene);
+    return all;
+  }
+};
+
+PerceivedScenes perceive(const Pipeline& pipeline, const std::vector<fs::path>& scenes) {
+  PerceivedScenes perceived{std::vector<LearningScene>(scenes.size()), std::vector<Labels>(scenes.size())};
+  for_all(scenes.size(), [&](std::size_t i) {
+    const Input input = read_scene(scenes[i]);
+    perceived.ground_truth[i] = scored_ground_truth(input);
+    perceived.scenes[i] = make_learning_scene(pipeline, input.frame, input.ground_truth);
+  });
+  return perceived;
+}
+
+nlohmann::json training_of(const Model& model) {
+  return {{"classifier", model.classifier},
+          {"values", model.names},
+          {"scenes", model.training.scenes.size()},
+          {"positive_pairs", model.training.positive_pairs},
+          {"negative_pairs", model.training.negative_pairs}};
+}
+
+py::object train(const py::object& scenes, const fs::path& output, const py::object& config,
+                 const std::vector<std::string>& overrides, const py::object& components, int threads) {
+  const std::vector<fs::path> given = paths(scenes);
+  const Configured configured(config_file(config), overrides, registered(components), threads);
+  return object_of(configured.run([&] {
+    const Pipeline& pipeline = configured.pipeline();
+    const Models models = learn(pipeline, perceive(pipeline, find_scenes(given)).pointers());
+    write_models(output, models);
+    nlohmann::json trained{{name_of(Level::structural), training_of(models.structural)}};
+    if (models.assembly) trained[name_of(Level::assembly)] = training_of(*models.assembly);
+    return trained;
+  }));
+}
+
+py::object cross_validate(const py::object& scenes, int folds, std::uint64_t seed, const py::object& config,
+                          const std::vector<std::string>& overrides, const py::object& components, int threads) {
+  const std::vector<fs::path> given = paths(scenes);
+  const Configured configured(config_file(config), overrides, registered(components), threads);
+  return object_of(configured.run([&] {
+    const Pipeline& pipeline = configured.pipeline();
+    const std::vector<fs::path> all = find_scenes(given);
+    const std::vector<std::string> categories = scene_categories(all);
+    const std::vector<int> fold = deal_folds(categories, folds, seed);
+    const PerceivedScenes perceived = perceive(pipeline, all);
+    const std::vector<Models> models = learn_folds(pipeline, perceived.pointers(), fold, folds);
+    std::vector<ImageScore> scores(all.size());
+    for_all(all.size(), [&](std::size_t i) {
+      const Models& theirs = models[std::size_t(fold[i])];
+      scores[i] = score_image(perceived.ground_truth[i], pipeline.decide(perceived.scenes[i].percept, theirs).labels);
+    });
+    return to_json(summarise(scores, categories));
+  }));
+}
+
+Labels label_image(const py::array& labels, const char* name) {
+  if (labels.ndim() != 2 || (labels.dtype().kind() != 'u' && labels.dtype().kind() != 'i'))
+    throw InputError(std::string(name) + ": expected integers of shape (height, width)");
+  const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> rows(labels);
+  Labels image(int(rows.shape(0)), int(rows.shape(1)));
+  for (py::ssize_t v = 0; v < rows.shape(0); ++v)
+    for (py::ssize_t u = 0; u < rows.shape(1); ++u) {
+      const std::int64_t label = rows.at(v, u);
+      if (label < 0 || label > 65535)
+        throw InputError(std::string(name) + ": label " + std::to_string(label) + " is not in [0, 65535]");
+      image(int(v), int(u)) = std::uint16_t(label);
+    }
+  return image;
+}
+
+py::object score(const py::array& ground_truth, const py::array& labels) {
+  const Labels truth = label_image(ground_truth, "ground_truth"), found = label_image(labels, "labels");
+  if (truth.size() != found.size()) throw InputError("ground_truth and labels differ in size");
+  return object_of(to_json(summarise({score_image(truth, found)}, {"all"})))["all"];
+}
+
+}  // namespace
+
+void bind_learning(py::module_& module) {
+  module.def("train", &train, py::arg("scenes"), py::arg("output"), py::arg("config") = py::none(),
+             py::arg("overrides") = std::vector<std::string>{}, py::kw_only(), py::arg("components") = py::none(),
+             py::arg("threads") = 0, R"(Learns from scenes with ground truth and writes the model file output.
+
+scenes: folders of scenes, one or many. Returns of each level the classifier, the values, and how many pairs it saw.
+Use the model with overrides=["model=..."].)");
+  module.def("cross_validate", &cross_validate, py::arg("scenes"), py::arg("folds") = 5, py::arg("seed") = 0,
+             py::arg("config") = py::none(), py::arg("overrides") = std::vector<std::string>{}, py::kw_only(),
+             py::arg("components") = py::none(), py::arg("threads") = 0,
+             R"(Trains on all folds of the scenes but one and scores that one, for each.
+
+Returns the scores of each category, and of "all", as `gestalt evaluate --cross-validate N --json` prints them.)");
+  module.def("score", &score, py::arg("ground_truth"), py::arg("labels"),
+             "Scores of one label image against ground truth, where that has 0 for pixels without depth.");
+}
+
+}  // namespace gestalt::python

@@ -1,0 +1,271 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "segmenter.h"
+
+#include <pybind11/stl.h>
+#include <pybind11/stl/filesystem.h>
+
+#include <limits>
+#include <map>
+#include <optional>
+
+#include "arrays.h"
+#include "components.h"
+#include "gestalt/error.h"
+#include "gestalt/evaluation.h"
+#include "gestalt/for_all.h"
+#include "gestalt/input.h"
+#include "gestalt/result.h"
+
+namespace gestalt::python {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+/// What was found in a frame. Images share their memory with numpy; the rest is made when it is asked for.
+class Result {
+ public:
+  Result(std::shared_ptr<const Configured> configured, Input input, Percept percept, Segmentation segmentation,
+         LevelTimes times)
+      : configured_(std::move(configured)),
+        input_(std::move(input)),
+        percept_(std::move(percept)),
+        segmentation_(std::move(segmentation)),
+        times_(times) {}
+
+  const std::string& name() const { return input_.frame.name; }
+  py::array labels() const { return array_of(segmentation_.labels); }
+  py::array objects_image() const { return array_of(object_labels(segmentation_)); }
+  py::array patch_labels() const { return array_of(percept_.surfaces.labels); }
+  py::array normals() const { return array_of(percept_.patches.normals); }
+  py::array points() const { return array_of(input_.frame.points); }
+
+  /// result.json, made once.
+  const py::dict& dictionary() {
+    if (!dictionary_)
+      dictionary_ = object_of(result_json(input_, percept_, segmentation_, times_, configured_->config()));
+    return *dictionary_;
+  }
+
+  py::list segments() { return dictionary()["segments"]; }
+  py::list patches() { return dictionary()["patches"]; }
+
+  py::list objects() {
+    py::list objects;
+    for (const py::handle segment : segments())
+      if (py::cast<std::string>(segment["role"]) == "object") objects.append(segment);
+    return objects;
+  }
+
+  py::dict pairs(Level level) const {
+    const RelationTable& table = level == Level::structural ? percept_.structural : percept_.assembly;
+    std::map<std::pair<int, int>, double> decided;
+    for (const Edge& edge : segmentation_.graph.edges)
+      if (edge.level == level) decided[{edge.a, edge.b}] = edge.probability;
+    const std::size_t rows = table.pairs.size();
+    py::array_t<std::int64_t> numbers({rows, std::size_t{2}});
+    py::array_t<double> values({rows, table.names.size()}), probabilities{py::ssize_t(rows)};
+    std::copy(table.values.begin(), table.values.end(), values.mutable_data());
+    for (std::size_t i = 0; i < rows; ++i) {
+      const auto [a, b] = table.pairs[i];
+      numbers.mutable_at(i, 0) = a, numbers.mutable_at(i, 1) = b;
+      const auto found = decided.find({a, b});
+      probabilities.mutable_at(i) = found == decided.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+    }
+    py::dict pairs;
+    pairs["names"] = table.names;
+    pairs["pairs"] = numbers;
+    pairs["values"] = values;
+    pairs["probabilities"] = probabilities;
+    return pairs;
+  }
+
+  py::dict milliseconds() const {
+    py::dict times;
+    times["signal"] = times_.signal;
+    times["primitive"] = times_.primitive;
+    times["structural"] = times_.structural;
+    times["assembly"] = times_.assembly;
+    times["decision"] = times_.decision;
+    return times;
+  }
+
+  void save(const fs::path& folder) const {
+    configured_->run([&] { write_result(folder, input_, percept_, segmentation_, times_, configured_->config()); });
+  }
+
+  std::string text() const {
+    std::size_t objects = 0;
+    for (const Segment& segment : segmentation_.segments) objects += segment.role == Role::object;
+    return "<gestalt.Result of '" + name() + "': " + std::to_string(objects) + " objects, " +
+           std::to_string(percept_.surfaces.surfaces.size()) + " patches>";
+  }
+
+ private:
+  std::shared_ptr<const Configured> configured_;
+  Input input_;
+  Percept percept_;
+  Segmentation segmentation_;
+  LevelTimes times_;
+  std::optional<py::dict> dictionary_;
+};
+
+class Segmenter {
+ public:
+  Segmenter(const py::object& config, const std::vector<std::string>& overrides, const py::dict& components,
+            int threads)
+      : configured_(std::make_shared<const Configured>(config_file(config), overrides, components, threads)),
+        models_(configured_->run([&] { return configured_->pipeline().load_models(); })) {
+    if (configured_->pipeline().trained_otherwise(models_) &&
+        PyErr_WarnEx(
+            PyExc_UserWarning,
+            (configured_->pipeline().config().model.string() +
+             " was trained with other parameters of the levels below the classifier; retrain it for this config")
+                .c_str(),
+            1))
+      throw py::error_already_set();
+  }
+
+  std::unique_ptr<Result> call(const py::object& colour, const py::array& depth, const Camera& camera,
+                               const std::string& name) const {
+    cv::Mat colours = colour_image(colour);
+    cv::Mat_<float> depths = depth_image(depth);
+    return configured_->run([&] {
+      Input input;
+      input.path = name;
+      input.frame = make_frame(name, std::move(colours), std::move(depths), camera);
+      return segment(std::move(input));
+    });
+  }
+
+  std::unique_ptr<Result> read(const fs::path& scene, const std::optional<Camera>& camera) const {
+    return configured_->run(
+        [&] { return segment(read_scene(scene, camera ? std::optional<CameraFile>(*camera) : std::nullopt)); });
+  }
+
+  py::object evaluate(const py::object& scenes) const {
+    const std::vector<fs::path> given = paths(scenes);
+    return object_of(configured_->run([&] {
+      const std::vector<fs::path> all = find_scenes(given);
+      std::vector<ImageScore> scores(all.size());
+      for_all(all.size(), [&](std::size_t i) {
+        const Input input = read_scene(all[i]);
+        const auto ground_truth = scored_ground_truth(input);
+        const Pipeline& pipeline = configured_->pipeline();
+        scores[i] = score_image(ground_truth, pipeline.decide(pipeline.perceive(input.frame), models_).labels);
+      });
+      return to_json(summarise(scores, scene_categories(all)));
+    }));
+  }
+
+  py::object config() const { return object_of(configured_->config().at("values")); }
+
+ private:
+  std::unique_ptr<Result> segment(Input input) const {
+    const Pipeline& pipeline = configured_->pipeline();
+    Percept percept = pipeline.perceive(input.frame);
+    LevelTimes times = percept.times;
+    Segmentation segmentation = pipeline.decide(percept, models_, &times);
+    return std::make_unique<Result>(configured_, std::move(input), std::move(percept), std::move(segmentation), times);
+  }
+
+  std::shared_ptr<const Configured> configured_;
+  Models models_;
+};
+
+py::tuple read(const fs::path& scene, const std::optional<Camera>& camera) {
+  const Input input = [&] {
+    const py::gil_scoped_release released;
+    return read_scene(scene, camera ? std::optional<CameraFile>(*camera) : std::nullopt);
+  }();
+  const Frame& frame = input.frame;
+  const py::object labels = input.ground_truth.empty() ? py::object(py::none()) : array_of(input.ground_truth);
+  return py::make_tuple(frame.name, colour_array(frame.colour), array_of(frame.depth), frame.camera, labels);
+}
+
+}  // namespace
+
+Configured::Configured(const fs::path& config, const std::vector<std::string>& overrides, const py::dict& components,
+                       int threads)
+    : tree_(config, overrides),
+      registry_(plugin_search_path(tree_.plugin_directories())),
+      arena_(threads > 0 ? threads : int(tbb::task_arena::automatic)) {
+  for (const auto& [name, type] : components)
+    add_component(registry_, py::cast<std::string>(name), py::reinterpret_borrow<py::object>(type));
+  pipeline_ = run([&] { return std::make_unique<const Pipeline>(tree_.resolve(registry_), registry_); });
+  config_ = tree_.to_json(registry_);
+}
+
+fs::path config_file(const py::object& config) {
+  return config.is_none() ? default_config() : py::cast<fs::path>(config);
+}
+
+std::vector<fs::path> paths(const py::object& paths) {
+  if (py::isinstance<py::str>(paths) || py::hasattr(paths, "__fspath__")) return {py::cast<fs::path>(paths)};
+  return py::cast<std::vector<fs::path>>(paths);
+}
+
+void bind_segmenter(py::module_& module) {
+  py::class_<Result>(module, "Result", "What was found in a frame. Patches count from 0, segments have their labels.")
+      .def_property_readonly("name", &Result::name, "Of the frame.")
+      .def_property_readonly("labels", &Result::labels,
+                             "(height, width) uint16: the segment of each pixel, background included; 0 in none.")
+      .def_property_readonly("object_labels", &Result::objects_image,
+                             "(height, width) uint16: labels with the background at 0.")
+      .def_property_readonly("patch_labels", &Result::patch_labels,
+                             "(height, width) int32: 1 + the number of each pixel's patch; 0 in none.")
+      .def_property_readonly("normals", &Result::normals,
+                             "(height, width, 3) float32, unit, towards the camera; 0 where there is none.")
+      .def_property_readonly("points", &Result::points, "(height, width, 3) float32, metres in the camera frame.")
+      .def_property_readonly("segments", &Result::segments,
+                             "Of each segment its label, role, pixels and patches; as in result.json, largest first.")
+      .def_property_readonly("objects", &Result::objects, "The segments that are objects.")
+      .def_property_readonly("patches", &Result::patches,
+                             "Of each patch its pixels and its surface with parameters; as in result.json.")
+      .def_property_readonly(
+          "structural", [](const Result& result) { return result.pairs(Level::structural); },
+          R"(Pairs of neighbouring patches, a dictionary of names: the k relation values; pairs: (n, 2) patches;
+values: (n, k); probabilities: (n,) that the two are of one object, NaN where that was not asked.)")
+      .def_property_readonly(
+          "assembly", [](const Result& result) { return result.pairs(Level::assembly); },
+          "The same of pairs that are not neighbours; without rows where the config has no assembly level.")
+      .def_property_readonly("milliseconds", &Result::milliseconds, "Time spent in each level.")
+      .def("to_dict", &Result::dictionary, "Everything that result.json holds.")
+      .def("save", &Result::save, py::arg("folder"),
+           "Writes labels.png, objects.png, overlay.png, patches.png and result.json: all or none.")
+      .def("__repr__", &Result::text);
+
+  py::class_<Segmenter>(module, "Pipeline", R"(The segmenter, ready to run; may be used from many threads.
+
+config: a YAML file or the name of an installed config; None: default.yaml.
+overrides: texts as "structural.minimum_size=50", as --set of the command.
+components: classes of Python by name; None: those that were registered.
+threads: of TBB, 0 for all. Results are the same for any number.
+
+Raises ConfigError, PluginError, ModelError. Warns when the model was trained with other parameters.)")
+      .def(py::init([](const py::object& config, const std::vector<std::string>& overrides,
+                       const py::object& components, int threads) {
+             return std::make_unique<Segmenter>(config, overrides, registered(components), threads);
+           }),
+           py::arg("config") = py::none(), py::arg("overrides") = std::vector<std::string>{}, py::kw_only(),
+           py::arg("components") = py::none(), py::arg("threads") = 0)
+      .def("__call__", &Segmenter::call, py::arg("colour"), py::arg("depth"), py::arg("camera"),
+           py::arg("name") = "frame", R"(Segments a frame.
+
+colour: (height, width, 3) uint8, red green blue; or None, when no relation of the config needs it.
+depth: (height, width) uint16 in millimetres or float in metres; 0 or not finite where there is none.
+
+The interpreter is released meanwhile. Raises InputError when the images and the camera do not fit each other,
+PluginError when a component fails.)")
+      .def("segment", &Segmenter::read, py::arg("scene"), py::arg("camera") = py::none(),
+           "Segments a scene folder or a cloud, as `gestalt segment` does; camera replaces the scene's.")
+      .def("evaluate", &Segmenter::evaluate, py::arg("scenes"),
+           "Scores of scenes with ground truth by category, and of \"all\", as `gestalt evaluate --json` prints them.")
+      .def_property_readonly("config", &Segmenter::config, "The resolved config as a dictionary.");
+
+  module.def("read_scene", &read, py::arg("scene"), py::arg("camera") = py::none());
+}
+
+}  // namespace gestalt::python

@@ -1,0 +1,43 @@
+# SPDX-FileCopyrightText: 2026 The Gestalt authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""`pip install .` without a network; what it installs needs neither the source nor the build."""
+
+import os
+import pathlib
+import subprocess
+import sys
+import tempfile
+import unittest
+
+PROGRAM = """
+import sys, gestalt
+assert gestalt.__file__.startswith(sys.argv[1]), gestalt.__file__
+assert gestalt.data_directory().startswith(sys.argv[1]), gestalt.data_directory()
+loaded = [line.split()[-1] for line in open("/proc/self/maps") if "gestalt" in line and ".so" in line]
+assert loaded and all(file.startswith(sys.argv[1]) for file in loaded), loaded
+print(len(gestalt.Pipeline().segment(sys.argv[2]).objects))
+"""
+
+
+class InstallTest(unittest.TestCase):
+    def test_pip_installs_it(self):
+        clean = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "GESTALT_PLUGIN_PATH")}
+        source = os.environ["GESTALT_SOURCE"]
+        with tempfile.TemporaryDirectory() as work:
+            venv = pathlib.Path(os.path.realpath(work), "venv")
+
+            def run(*words):
+                done = subprocess.run([str(word) for word in words], env=clean, cwd=work, text=True,
+                                      stdout=subprocess.PIPE, stderr=subprocess.STDOUT)
+                self.assertEqual(done.returncode, 0, done.stdout)
+                return done.stdout
+
+            run(sys.executable, "-m", "venv", "--system-site-packages", venv)
+            run(venv / "bin" / "pip", "install", "--no-index", source)
+            objects = run(venv / "bin" / "python", "-c", PROGRAM, venv, pathlib.Path(source, "examples", "demo_scene"))
+            self.assertGreater(int(objects), 10)
+            run(venv / "bin" / "pip", "uninstall", "--yes", "gestalt")
+
+
+if __name__ == "__main__":
+    unittest.main()

@@ -1,0 +1,165 @@
+# SPDX-FileCopyrightText: 2026 The Gestalt authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""The same results as the command's, as arrays."""
+
+import json
+import os
+import pathlib
+import pickle
+import tempfile
+import threading
+import unittest
+
+import cv2
+import numpy
+
+import gestalt
+from scenes import demo, run, synthesize
+
+
+class PipelineTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.scene = gestalt.read_scene(demo)
+        cls.pipeline = gestalt.Pipeline()
+        cls.result = cls.pipeline(cls.scene.colour, cls.scene.depth, cls.scene.camera)
+
+    def test_gives_what_the_command_writes(self):
+        with tempfile.TemporaryDirectory() as out:
+            run("segment", demo, "--output", out)
+            folder = pathlib.Path(out, demo.name)
+            written = cv2.imread(str(folder / "labels.png"), cv2.IMREAD_UNCHANGED)
+            objects = cv2.imread(str(folder / "objects.png"), cv2.IMREAD_UNCHANGED)
+            told = json.loads((folder / "result.json").read_text())
+        numpy.testing.assert_array_equal(self.result.labels, written)
+        numpy.testing.assert_array_equal(self.result.object_labels, objects)
+        self.assertEqual(self.result.segments, told["segments"])
+        self.assertEqual(self.result.patches, told["patches"])
+
+    def test_saves_what_the_command_writes(self):
+        with tempfile.TemporaryDirectory() as out:
+            run("segment", demo, "--output", out)
+            self.pipeline.segment(demo).save(pathlib.Path(out, "saved"))
+            written = {file.name for file in pathlib.Path(out, demo.name).iterdir()}
+            self.assertEqual({file.name for file in pathlib.Path(out, "saved").iterdir()}, written)
+            for name in ("labels.png", "overlay.png", "patches.png"):
+                self.assertEqual(pathlib.Path(out, demo.name, name).read_bytes(), pathlib.Path(out, "saved", name).read_bytes())
+
+    def test_parts_of_a_result_fit_each_other(self):
+        result = self.result
+        labels = set(numpy.unique(result.labels)) - {0}
+        self.assertEqual(labels, {segment["label"] for segment in result.segments})
+        self.assertEqual(set(numpy.unique(result.object_labels)) - {0}, {o["label"] for o in result.objects})
+        self.assertEqual(result.patch_labels.max(), len(result.patches))
+        for table in (result.structural, result.assembly):
+            rows, columns = table["values"].shape
+            self.assertEqual(columns, len(table["names"]))
+            self.assertEqual(table["pairs"].shape, (rows, 2))
+            decided = table["probabilities"][~numpy.isnan(table["probabilities"])]
+            self.assertTrue(len(decided) and ((decided >= 0) & (decided <= 1)).all())
+        self.assertEqual(set(result.milliseconds), {"signal", "primitive", "structural", "assembly", "decision"})
+        lengths = numpy.linalg.norm(result.normals, axis=-1)
+        numpy.testing.assert_allclose(lengths[lengths > 0], 1, atol=1e-4)
+        self.assertGreater(numpy.count_nonzero(lengths), 200000)
+
+    def test_depth_in_millimetres_is_the_same_as_in_metres(self):
+        millimetres = numpy.rint(self.scene.depth * 1000).astype(numpy.uint16)
+        result = self.pipeline(self.scene.colour, millimetres, self.scene.camera)
+        numpy.testing.assert_array_equal(result.labels, self.result.labels)
+
+    def test_takes_views_and_double_precision(self):
+        depth = numpy.zeros((480, 1280))
+        depth[:, ::2] = numpy.where(self.scene.depth > 0, self.scene.depth, numpy.nan)
+        result = self.pipeline(self.scene.colour[:, ::-1][:, ::-1], depth[:, ::2], self.scene.camera)
+        numpy.testing.assert_array_equal(result.labels, self.result.labels)
+
+    def test_images_cannot_be_written_and_outlive_the_result(self):
+        labels = self.pipeline.segment(demo).labels
+        with self.assertRaises(ValueError):
+            labels[0, 0] = 1
+        numpy.testing.assert_array_equal(labels, self.result.labels)
+
+    def test_other_threads_run_meanwhile(self):
+        """Frames of threads are computed side by side, each as alone."""
+        results = [None] * 4
+
+        def work(i):
+            results[i] = self.pipeline(self.scene.colour, self.scene.depth, self.scene.camera)
+
+        threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
+        ticks = 0
+        for thread in threads:
+            thread.start()
+        while any(thread.is_alive() for thread in threads):
+            ticks += 1  # only with the interpreter released
+            threads[0].join(0.001)
+        self.assertGreater(ticks, 3)
+        for result in results:
+            numpy.testing.assert_array_equal(result.labels, self.result.labels)
+
+    def test_any_number_of_threads_gives_the_same(self):
+        result = gestalt.Pipeline(threads=1).segment(demo)
+        numpy.testing.assert_array_equal(result.labels, self.result.labels)
+        numpy.testing.assert_array_equal(result.structural["values"], self.result.structural["values"])
+
+    def test_images_that_do_not_fit_are_told(self):
+        colour, depth, camera = self.scene.colour, self.scene.depth, self.scene.camera
+        for arguments, text in (
+            ((colour, depth[:100], camera), "size"),
+            ((colour[..., 0], depth, camera), "colour: expected None or uint8 of shape (height, width, 3), got"),
+            ((colour.astype(float), depth, camera), "got an array of float64"),
+            ((colour, depth.astype(int), camera), "depth: expected uint16 (millimetres) or float (metres)"),
+            ((colour, numpy.zeros_like(depth), camera), "no pixel"),
+            ((None, depth, camera), "colour"),
+        ):
+            with self.subTest(text), self.assertRaises(gestalt.InputError) as raised:
+                self.pipeline(*arguments)
+            self.assertIn(text, str(raised.exception))
+
+    def test_errors_have_their_class(self):
+        with self.assertRaisesRegex(gestalt.ConfigError, "did you mean 'gabor'"):
+            gestalt.Pipeline(overrides=["structural.relations.gabr=on"])
+        with self.assertRaisesRegex(gestalt.ModelError, "no_such.json"):
+            gestalt.Pipeline(overrides=["model=no_such.json"])
+        with self.assertRaisesRegex(gestalt.InputError, "no_such_scene"):
+            self.pipeline.segment("no_such_scene")
+        with self.assertRaises(gestalt.OutputError):
+            self.result.save("/dev/null/folder")
+        self.assertTrue(issubclass(gestalt.InputError, gestalt.Error))
+
+    def test_a_model_of_other_parameters_is_warned_of(self):
+        with self.assertWarnsRegex(UserWarning, "was trained with other parameters"):
+            gestalt.Pipeline(overrides=["primitive.model_selection.sigma=3"])
+
+    def test_a_camera_can_be_pickled(self):
+        self.assertEqual(repr(pickle.loads(pickle.dumps(self.scene.camera))), repr(self.scene.camera))
+
+    def test_learns_and_scores(self):
+        with tempfile.TemporaryDirectory() as work:
+            scenes = synthesize(pathlib.Path(work, "scenes"), 4)
+            model = pathlib.Path(work, "model.json")
+            trained = gestalt.train(scenes, model)
+            self.assertEqual(trained["structural"]["scenes"], 4)
+            self.assertGreater(trained["structural"]["positive_pairs"], 0)
+            ours = gestalt.Pipeline(overrides=[f"model={model}"])
+            told = json.loads(run("evaluate", scenes, "--set", f"model={model}", "--json"))
+            scores = ours.evaluate(scenes)
+            self.assertEqual(set(scores), set(told))
+            self.assertAlmostEqual(scores["all"]["P"], told["all"]["P"])
+            told = json.loads(run("evaluate", scenes, "--cross-validate", 2, "--set", "levels=structural", "--json"))
+            scores = gestalt.cross_validate(scenes, folds=2, overrides=["levels=structural"])
+            self.assertAlmostEqual(scores["all"]["R"], told["all"]["R"])
+
+    def test_scores_one_image(self):
+        truth = numpy.where(self.scene.depth > 0, self.scene.labels, 0)
+        score = gestalt.score(truth, self.result.labels)
+        self.assertEqual(score["regions"], len({label if label < 10 else label // 10 for label in numpy.unique(truth)} - {0}) - 1)
+        self.assertTrue(0.5 < score["P"] <= 1 and 0.5 < score["R"] <= 1)
+        with self.assertRaisesRegex(gestalt.InputError, "size"):
+            gestalt.score(truth[1:], self.result.labels)
+        with self.assertRaisesRegex(gestalt.InputError, "-1"):
+            gestalt.score(truth.astype(int) - 1, self.result.labels)
+
+
+if __name__ == "__main__":
+    unittest.main()
