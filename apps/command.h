@@ -30,6 +30,7 @@ void add_new_plugin(CLI::App& app, Run& run);
 void add_plugins(CLI::App& app, Run& run);
 void add_config(CLI::App& app, Run& run);
 void add_export(CLI::App& app, Run& run);
+void add_inspect(CLI::App& app, Run& run);
 void add_info(CLI::App& app, Run& run);
 void add_calibrate_noise(CLI::App& app, Run& run);
 void add_completion(CLI::App& app, Run& run);

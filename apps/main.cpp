@@ -59,6 +59,7 @@ int run_command(int argc, char** argv) {
   add_plugins(app, run);
   add_config(app, run);
   add_export(app, run);
+  add_inspect(app, run);
   add_info(app, run);
   add_calibrate_noise(app, run);
   add_completion(app, run);

@@ -31,6 +31,8 @@ step "train and evaluate with it"
 gestalt train scenes --config own_relation/config.yaml --output own_relation/own_relation.json
 gestalt evaluate scenes --config own_relation/config.yaml
 gestalt segment scenes --config own_relation/config.yaml --output own_out
+gestalt inspect own_out/complex_scene_5_000 --config own_relation/config.yaml --output page.html
+grep -q '"r_own_relation"' page.html
 
 step "call it from Python"
 apt-get install -y -qq --no-install-recommends /packages/python3-gestalt_*.deb >log 2>&1 || { tail -20 log; exit 1; }

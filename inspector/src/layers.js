@@ -1,0 +1,31 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+/// The layers in the order in which they lie on each other, which is that of their keys. vector: drawn as lines, over
+/// all images.
+export const layers = [
+  { id: "colour", name: "Colour", text: "the camera's image" },
+  { id: "depth", name: "Depth", text: "near is light, far is dark" },
+  { id: "patches", name: "Patches", text: "what is grouped: pixels of one surface, after merging" },
+  { id: "surfaces", name: "Surfaces", text: "the fitted surfaces, coloured by their normals" },
+  { id: "lines", name: "Lines", text: "straight boundaries of the patches", vector: true },
+  { id: "closures", name: "Closures", text: "closed convex contours over lines of several patches", vector: true },
+  { id: "graph", name: "Graph", text: "edges between patches, with p(same object)", vector: true },
+  { id: "segments", name: "Segments", text: "how the solver cuts the graph; background is grey" },
+  { id: "truth", name: "Ground truth", text: "the labelled objects; background is grey" },
+];
+
+export const first_layers = () => ({
+  visible: { colour: true, segments: true, graph: true },
+  opacity: {
+    colour: 1,
+    depth: 1,
+    patches: 0.7,
+    surfaces: 0.8,
+    lines: 1,
+    closures: 0.8,
+    graph: 1,
+    segments: 0.5,
+    truth: 0.6,
+  },
+});
