@@ -109,7 +109,7 @@ GESTALT_EXPORT cv::Mat_<std::uint16_t> read_label_image(const std::filesystem::p
 /// Throws InputError, with the line, when it cannot be understood.
 GESTALT_EXPORT std::map<std::string, std::string> read_categories(const std::filesystem::path& file);
 
-/// Category of each scene, from the file <folder>.csv beside the folder that it is in; "" when there is none.
+/// Category of each scene, from the file `FOLDER`.csv beside the folder that it is in; "" when there is none.
 GESTALT_EXPORT std::vector<std::string> scene_categories(const std::vector<std::filesystem::path>& scenes);
 
 /// The ground truth of a scene where it has depth, 0 elsewhere: what scores count. Throws InputError when it has none.
