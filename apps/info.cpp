@@ -4,7 +4,6 @@
 #include <yaml-cpp/yaml.h>
 
 #include <algorithm>
-#include <cctype>
 #include <cmath>
 #include <fstream>
 #include <iostream>
@@ -18,6 +17,7 @@
 #include "gestalt/input.h"
 #include "gestalt/learning_set.h"
 #include "gestalt/pcd_header.h"
+#include "gestalt/scene_path.h"
 
 namespace gestalt::app {
 
@@ -105,6 +105,12 @@ Description describe_cloud(const fs::path& file, const std::optional<CameraFile>
   return description;
 }
 
+Description describe_scene_file(const fs::path& file, const std::optional<CameraFile>& camera) {
+  Description description{{"kind", lower_extension(file) == ".npz" ? "scene of arrays" : "PLY cloud"}};
+  add_scene(description, read_scene(file, camera), camera ? camera->file.string() : "the file, or a camera.yaml");
+  return description;
+}
+
 Description describe_model(const nlohmann::json& model) {
   Description description{{"kind", "model"}};
   for (const auto& [name, level] : model.at("levels").items()) {
@@ -129,8 +135,9 @@ Description describe_result(const nlohmann::json& result) {
 }
 
 [[noreturn]] void fail(const fs::path& file, const std::string& why) {
-  throw InputError(file.string() + ": " + why +
-                   "; info reads scene folders, PCD files, camera files, configs, models and result.json");
+  throw InputError(
+      file.string() + ": " + why +
+      "; info reads scene folders, PCD, PLY and .npz files, camera files, configs, models and result.json");
 }
 
 Description describe_json(const fs::path& file) try {
@@ -173,10 +180,9 @@ Description describe(const fs::path& path, const std::optional<CameraFile>& came
   if (status.type() == fs::file_type::directory) return describe_folder(path, camera);
   if (status.type() != fs::file_type::regular) fail(path, "is neither a file nor a folder");
   if (!std::ifstream(path)) fail(path, "cannot be read");
-  std::string extension = path.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
+  const std::string extension = lower_extension(path);
   if (extension == ".pcd") return describe_cloud(path, camera);
+  if (extension == ".ply" || extension == ".npz") return describe_scene_file(path, camera);
   if (extension == ".json") return describe_json(path);
   if (extension == ".yaml" || extension == ".yml") return describe_yaml(path);
   if (extension == ".png") fail(path, "is one image, not a scene; name the folder that holds it");

@@ -36,11 +36,13 @@ int segment(const Options& options) {
 void add_segment(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("segment", "Segment scenes into objects");
-  command->add_option("inputs", options->inputs, "Scene folders, PCD files, or folders of those")
+  command->add_option("inputs", options->inputs, "Scene folders, files (.pcd, .ply, .npz), or folders of those")
       ->required()
       ->type_name("INPUT");
   add_segmenter_options(*command, options->segmenter);
-  command->footer("Example: gestalt segment examples/demo_scene --output out");
+  command->footer(
+      "Example: gestalt segment examples/demo_scene --output out\n"
+      "         gestalt segment cloud.ply --camera camera.yaml --also pcd,coco");
   command->callback([options, &run] { run = [options] { return segment(*options); }; });
 }
 

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "command.h"
+#include "gestalt/labelled_files.h"
 #include "gestalt/result.h"
 
 namespace gestalt::app {
@@ -24,6 +25,17 @@ std::vector<OutputFile> debug_images(const std::filesystem::path& folder, const 
           {folder / "graph.png", encode_png(draw_graph(frame, percept.surfaces, graph))}};
 }
 
+/// Labels are those of labels.png; the instances of COCO are the objects.
+OutputFile labelled_file(const std::filesystem::path& folder, const std::string& kind, const Frame& frame,
+                         const Segmentation& segmentation) {
+  if (kind == "pcd") return {folder / "labelled.pcd", encode_pcd(frame, segmentation.labels)};
+  if (kind == "ply") return {folder / "labelled.ply", encode_ply(frame, segmentation.labels)};
+  // A scene's name comes from a path, which may be no UTF-8.
+  return {folder / "coco.json", coco_instances(object_labels(segmentation), frame.name + ".png")
+                                        .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) +
+                                    "\n"};
+}
+
 }  // namespace
 
 void add_segmenter_options(CLI::App& command, SegmenterOptions& options) {
@@ -36,12 +48,20 @@ void add_segmenter_options(CLI::App& command, SegmenterOptions& options) {
   command.add_flag(
       "--debug-images", options.debug_images,
       "Write what each level found, too: normals.png, signal_patches.png, surfaces.png, lines.png, graph.png");
+  command
+      .add_option("--also", options.also,
+                  "Write files for other programs, too: pcd, labelled.pcd, an organized cloud with labels; ply, "
+                  "labelled.ply; coco, coco.json, objects as instances with masks")
+      ->check(CLI::IsMember({"pcd", "ply", "coco"}))
+      ->delimiter(',')
+      ->type_name("KIND,...");
   add_pipeline_options(command, options.pipeline);
 }
 
 Segmenter::Segmenter(const SegmenterOptions& options)
     : output_(options.output),
       debug_images_(options.debug_images),
+      also_(options.also),
       loaded_(load_config(options.pipeline)),
       config_(loaded_.tree.to_json(loaded_.registry)),
       pipeline_(loaded_.config, loaded_.registry),
@@ -55,9 +75,10 @@ SegmentedScene Segmenter::segment(const std::filesystem::path& scene) const {
   LevelTimes times = percept.times;
   const Segmentation segmentation = pipeline_.decide(percept, models_, &times);
   const std::filesystem::path folder = output_ / input.frame.name;
-  std::vector<OutputFile> pictures;
-  if (debug_images_) pictures = debug_images(folder, pipeline_, input.frame, percept, segmentation.graph);
-  write_result(folder, input, percept, segmentation, times, config_, std::move(pictures));
+  std::vector<OutputFile> more;
+  if (debug_images_) more = debug_images(folder, pipeline_, input.frame, percept, segmentation.graph);
+  for (const std::string& kind : also_) more.push_back(labelled_file(folder, kind, input.frame, segmentation));
+  write_result(folder, input, percept, segmentation, times, config_, std::move(more));
   const auto objects = std::count_if(segmentation.segments.begin(), segmentation.segments.end(),
                                      [](const Segment& segment) { return segment.role == Role::object; });
   return {folder, std::size_t(objects), segmentation.segments.size(), percept.surfaces.surfaces.size(), times.total()};

@@ -17,6 +17,7 @@ struct SegmenterOptions {
   std::filesystem::path output = "out";
   std::filesystem::path camera;  ///< empty: that of each scene
   bool debug_images = false;
+  std::vector<std::string> also;  ///< of what other programs read: pcd, ply, coco
   PipelineOptions pipeline;
 };
 
@@ -43,6 +44,7 @@ class Segmenter {
  private:
   std::filesystem::path output_;
   bool debug_images_;
+  std::vector<std::string> also_;
   LoadedConfig loaded_;
   nlohmann::json config_;  ///< as results tell it
   Pipeline pipeline_;

@@ -10,6 +10,7 @@
 #include <sstream>
 #include <utility>
 
+#include "camera_info.h"
 #include "file_bytes.h"
 #include "gestalt/error.h"
 #include "gestalt/input.h"
@@ -105,7 +106,9 @@ CameraFile read_camera(const fs::path& file) {
   // Beyond these focal lengths single precision has no useful points.
   constexpr double shortest_focus = 0.01, longest_focus = 1e7;
 
-  Numbers numbers(file, parse(file));
+  const YAML::Node root = parse(file);
+  if (is_camera_info(root)) return read_camera_info(file, root);
+  Numbers numbers(file, root);
   const auto width = numbers.read("width", 1, longest_side, "columns of the images");
   const auto height = numbers.read("height", 1, longest_side, "rows of the images");
   const auto fx = numbers.read("fx", shortest_focus, longest_focus, "focal length in pixel widths");

@@ -111,18 +111,22 @@ ConvertedScene read_osd_scene(const fs::path& release, const std::string& name,
   return scene;
 }
 
-ConvertedScene read_labelled_cloud(const fs::path& file, LabelKind labels, const std::optional<CameraFile>& camera) {
-  const Input input = read_scene(file, camera);
-  if (input.ground_truth.empty())
-    throw InputError(file.string() + ": has no field label; give clouds with ground truth, a label for each point");
+ConvertedScene converted(const Input& input) {
   ConvertedScene scene;
   scene.camera = input.frame.camera;
   scene.images.colour = input.frame.colour;
   scene.images.depth = depth_in_millimetres(input.frame);
-  if (labels == LabelKind::objects)
-    scene.images.label = labels_of_objects(input.ground_truth, scene.images.depth);
-  else
-    scene.images.label = input.ground_truth;
+  scene.images.label = input.ground_truth;
+  if (!scene.images.label.empty()) scene.objects = count_objects(scene.images.label);
+  return scene;
+}
+
+ConvertedScene read_labelled_cloud(const fs::path& file, LabelKind labels, const std::optional<CameraFile>& camera) {
+  const Input input = read_scene(file, camera);
+  if (input.ground_truth.empty())
+    throw InputError(file.string() + ": has no field label; give clouds with ground truth, a label for each point");
+  ConvertedScene scene = converted(input);
+  if (labels == LabelKind::objects) scene.images.label = labels_of_objects(input.ground_truth, scene.images.depth);
   scene.objects = count_objects(scene.images.label);
   if (scene.objects == 0)
     throw InputError(file.string() + ": its labels name no object; " +

@@ -16,11 +16,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-bool is_cloud(const fs::path& file) {
-  std::string extension = file.extension().string();
-  std::transform(extension.begin(), extension.end(), extension.begin(),
-                 [](unsigned char c) { return char(std::tolower(c)); });
-  return extension == ".pcd";
+/// Clouds and arrays.
+bool is_scene_file(const fs::path& file) {
+  const std::string extension = lower_extension(file);
+  return extension == ".pcd" || extension == ".ply" || extension == ".npz";
 }
 
 bool is_scene_folder(const fs::path& folder) {
@@ -39,16 +38,24 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
   if (error) throw InputError(folder.string() + ": cannot be listed: " + error.message());
   if (scenes.empty())
     throw InputError(folder.string() +
-                     ": holds no scene; give a folder with depth.png (and rgb.png), a .pcd file, or a folder of those");
+                     ": holds no scene; give a folder with depth.png (and rgb.png), a .pcd, .ply or .npz file, or a "
+                     "folder of those");
   std::sort(scenes.begin(), scenes.end(), scene_less);
   return scenes;
 }
 
 }  // namespace
 
+std::string lower_extension(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension;
+}
+
 bool is_scene(const fs::path& path) {
   std::error_code ignored;
-  return fs::is_directory(path, ignored) ? is_scene_folder(path) : is_cloud(path);
+  return fs::is_directory(path, ignored) ? is_scene_folder(path) : is_scene_file(path);
 }
 
 bool scene_less(const fs::path& a, const fs::path& b) {
@@ -72,10 +79,11 @@ std::vector<fs::path> find_scenes(const std::vector<fs::path>& paths) {
     if (status.type() == fs::file_type::directory && !is_scene_folder(path)) {
       const auto inside = scenes_in(path);
       scenes.insert(scenes.end(), inside.begin(), inside.end());
-    } else if (status.type() == fs::file_type::directory || is_cloud(path)) {
+    } else if (status.type() == fs::file_type::directory || is_scene_file(path)) {
       scenes.push_back(path);
     } else {
-      throw InputError(path.string() + ": is no scene; give a scene folder, a .pcd file, or a folder of those");
+      throw InputError(path.string() +
+                       ": is no scene; give a scene folder, a .pcd, .ply or .npz file, or a folder of those");
     }
   }
   std::map<std::string, fs::path> names;

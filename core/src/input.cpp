@@ -9,6 +9,8 @@
 
 #include "camera_fit.h"
 #include "gestalt/error.h"
+#include "gestalt/scene_path.h"
+#include "npz_scene.h"
 #include "png_file.h"
 #include "point_cloud.h"
 
@@ -167,7 +169,9 @@ cv::Mat_<float> depth_in_metres(const cv::Mat_<std::uint16_t>& raw, double scale
 
 Input read_scene(const fs::path& path, const std::optional<CameraFile>& camera) {
   std::error_code error;
-  Input input = fs::is_directory(path, error) ? read_folder(path, camera) : read_cloud(path, camera);
+  Input input = fs::is_directory(path, error)     ? read_folder(path, camera)
+                : lower_extension(path) == ".npz" ? read_npz_scene(path, camera)
+                                                  : read_cloud(path, camera);
   input.path = path;
   input.frame.name = scene_name(path);  // messages until here name the path
   return input;

@@ -11,23 +11,13 @@
 
 #include "file_bytes.h"
 #include "gestalt/error.h"
+#include "words.h"
 
 namespace gestalt {
 
 namespace fs = std::filesystem;
 
 namespace {
-
-std::vector<std::string_view> words_of(std::string_view line) {
-  constexpr std::string_view blank = " \t\r";
-  std::vector<std::string_view> words;
-  for (std::size_t at = line.find_first_not_of(blank); at != line.npos; at = line.find_first_not_of(blank, at)) {
-    const std::size_t end = std::min(line.find_first_of(blank, at), line.size());
-    words.push_back(line.substr(at, end - at));
-    at = end;
-  }
-  return words;
-}
 
 /// Reads a header line by line in the order that the format prescribes.
 class HeaderReader {

@@ -5,6 +5,7 @@
 
 #include <liblzf/lzf.h>
 
+#include <array>
 #include <charconv>
 #include <cmath>
 #include <cstring>
@@ -15,6 +16,8 @@
 #include "file_bytes.h"
 #include "gestalt/error.h"
 #include "gestalt/pcd_header.h"
+#include "gestalt/scene_path.h"
+#include "ply_header.h"
 
 namespace gestalt {
 
@@ -170,7 +173,23 @@ void take_points(const fs::path& file, const PcdHeader& header, const std::strin
   }
 }
 
+/// Of fields red, green and blue, as PLY files have them.
+void take_channels(const fs::path& file, const PcdHeader& header, const std::string& points, PointCloud& result) {
+  static constexpr std::array<const char*, 3> names{"blue", "green", "red"};
+  for (int channel = 0; channel < 3; ++channel) {
+    const PcdHeader::Field* field = header.find(names[std::size_t(channel)]);
+    if (!field) return;
+    if (field->type != 'U' || field->size != 1 || field->count != 1)
+      fail(file, "property '" + field->name + "' must be of type uchar; write the cloud again");
+    result.colours.resize(header.points());
+    const Elements elements(points, header, *field);
+    for (std::size_t i = 0; i < header.points(); ++i) result.colours[i][channel] = elements.at<std::uint8_t>(i);
+  }
+}
+
 void take_colours(const fs::path& file, const PcdHeader& header, const std::string& points, PointCloud& result) {
+  if (header.find("red") && header.find("green") && header.find("blue"))
+    return take_channels(file, header, points, result);
   const PcdHeader::Field* field = header.find("rgb");
   if (!field) field = header.find("rgba");
   if (!field) return;
@@ -226,7 +245,8 @@ bool PointCloud::visible(std::size_t i) const {
 
 PointCloud read_point_cloud(const fs::path& file) {
   const std::string bytes = read_bytes(file);
-  const PcdHeader header = parse_pcd_header(file, bytes);
+  const PcdHeader header =
+      lower_extension(file) == ".ply" ? parse_ply_header(file, bytes) : parse_pcd_header(file, bytes);
   const std::string points = read_body(file, header, bytes);
   PointCloud result;
   result.width = header.width;

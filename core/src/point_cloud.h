@@ -21,7 +21,8 @@ struct PointCloud {
   bool visible(std::size_t i) const;
 };
 
-/// Reads a PCD file of any data kind and field order: x, y, z (F, 4 or 8 bytes), rgb or rgba (4 bytes), label (I or U).
+/// Reads a PCD file of any data kind and field order: x, y, z (F, 4 or 8 bytes), rgb or rgba (4 bytes), label (I or U);
+/// or a PLY file with vertices of x, y, z, red, green, blue (uchar), label (a whole number).
 /// Throws InputError naming the file, the place and the remedy. Not by PCL, which trusts the header and reports damage
 /// on stderr, and whose library of files brings sixty others with it.
 PointCloud read_point_cloud(const std::filesystem::path& file);

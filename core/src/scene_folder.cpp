@@ -27,13 +27,14 @@ std::string read_all(const fs::path& file) {
   return text.str();
 }
 
-std::string camera_text(const Camera& camera) {
+std::string camera_text(const Camera& camera, double depth_scale = 0.001) {
   std::ostringstream text;
   text.imbue(std::locale::classic());
   text << std::setprecision(17)
        << "# pinhole intrinsics of every scene here (pixels); depth_scale: metres per unit of depth.png\n"
        << "width: " << camera.width << "\nheight: " << camera.height << "\nfx: " << camera.fx << "\nfy: " << camera.fy
-       << "\ncx: " << camera.cx << "\ncy: " << camera.cy << "\ndepth_scale: 0.001\n";
+       << "\ncx: " << camera.cx << "\ncy: " << camera.cy << "\ndepth_scale: " << std::setprecision(6) << depth_scale
+       << "\n";
   return text.str();
 }
 
@@ -63,9 +64,9 @@ cv::Mat_<std::uint16_t> depth_in_millimetres(const Frame& frame) {
 
 void write_scene_folder(const fs::path& folder, const SceneImages& images) { write_files(image_files(folder, images)); }
 
-void write_scene_folder(const fs::path& folder, const SceneImages& images, const Camera& camera) {
+void write_scene_folder(const fs::path& folder, const SceneImages& images, const Camera& camera, double depth_scale) {
   std::vector<OutputFile> files = image_files(folder, images);
-  files.insert(files.begin(), {folder / "camera.yaml", camera_text(camera)});
+  files.insert(files.begin(), {folder / "camera.yaml", camera_text(camera, depth_scale)});
   write_files(files);
 }
 

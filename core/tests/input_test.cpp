@@ -357,7 +357,7 @@ TEST_F(FindScenes, RefusesWhatHoldsNoScene) {
   const auto message = [&](const fs::path& path) { return error_of([&] { find_scenes({path}); }); };
   expect_parts(message(folder_.path()), {folder_.path().string() + ": holds no scene", "depth.png", ".pcd"});
   expect_parts(message(folder_.path() / "none"), {"none: does not exist"});
-  expect_parts(message(folder_.write("cloud.ply", "x")), {"cloud.ply: is no scene", ".pcd"});
+  expect_parts(message(folder_.write("cloud.obj", "x")), {"cloud.obj: is no scene", ".pcd"});
 }
 
 TEST_F(FindScenes, RefusesTwoScenesOfOneName) {

@@ -24,7 +24,8 @@ enum class LabelKind {
 struct ConvertedScene {
   SceneImages images;
   Camera camera;
-  int objects = 0;  ///< with at least one pixel that has depth
+  int objects = 0;             ///< with at least one pixel that has depth
+  double depth_scale = 0.001;  ///< metres for each unit of images.depth
 };
 
 /// The names of all scenes of an original OSD release, in natural order: every PNG of its three folders, so that a
@@ -41,6 +42,63 @@ GESTALT_EXPORT ConvertedScene read_osd_scene(const std::filesystem::path& releas
 /// that name no object.
 GESTALT_EXPORT ConvertedScene read_labelled_cloud(const std::filesystem::path& file, LabelKind labels,
                                                   const std::optional<CameraFile>& camera = std::nullopt);
+
+/// A frame of a sequence of the TUM RGB-D benchmark.
+struct TumFrame {
+  std::filesystem::path depth;
+  std::filesystem::path colour;
+};
+
+/// The frames of a sequence, by rgb.txt and depth.txt, in order of time: the images that are nearest in time go
+/// together, at most 0.02 s apart, each in one frame. Throws InputError with the line.
+GESTALT_EXPORT std::vector<TumFrame> find_tum_frames(const std::filesystem::path& sequence);
+
+/// Depth has 5000 units a metre. camera: else the factory's of a Kinect (525 px, 640x480), as the benchmark advises.
+GESTALT_EXPORT ConvertedScene read_tum_frame(const TumFrame& frame,
+                                             const std::optional<CameraFile>& camera = std::nullopt);
+
+/// An image of a scene in the layout of BOP, the benchmark for 6D object pose estimation.
+struct BopImage {
+  std::filesystem::path scene;
+  int number = 0;
+  std::filesystem::path depth;
+};
+
+/// All images of a scene, or of all scenes in a folder, that scene_camera.json names. Throws InputError.
+GESTALT_EXPORT std::vector<BopImage> find_bop_images(const std::filesystem::path& folder);
+
+/// "000001_000012": scene and image.
+GESTALT_EXPORT std::string bop_name(const BopImage& image);
+
+/// Camera and scale of depth from scene_camera.json; objects from mask_visib, where there are masks, everything else is
+/// background. Throws InputError naming the file and the place.
+GESTALT_EXPORT ConvertedScene read_bop_image(const BopImage& image,
+                                             const std::optional<CameraFile>& camera = std::nullopt);
+
+/// A frame of the Object Cluttered Indoor Dataset (OCID).
+struct OcidFrame {
+  std::filesystem::path sequence;
+  std::filesystem::path depth;
+  std::string name;  ///< the way to the sequence, and that of the image
+};
+
+/// The frames of all sequences in a folder: folders that hold depth and label. Throws InputError.
+GESTALT_EXPORT std::vector<OcidFrame> find_ocid_frames(const std::filesystem::path& release);
+
+/// Depth is in millimetres. Labels 0 and 1 are background, as is 2 where "table" is in the path of the sequence; the
+/// others are objects. camera: else that of the points in pcd/. Throws InputError.
+GESTALT_EXPORT ConvertedScene read_ocid_frame(const OcidFrame& frame,
+                                              const std::optional<CameraFile>& camera = std::nullopt);
+
+/// Any scene that read_scene() reads, ready to be written; depth in millimetres. Throws InputError for a depth beyond
+/// 65.535 m.
+GESTALT_EXPORT ConvertedScene converted(const Input& input);
+
+/// The bytes of files that read_scene() reads: .npz; .pcd (organized) and .ply (without pixels that have no depth),
+/// both binary, with colour and labels where the scene has them.
+GESTALT_EXPORT std::string npz_scene(const ConvertedScene& scene);
+GESTALT_EXPORT std::string pcd_scene(const ConvertedScene& scene);
+GESTALT_EXPORT std::string ply_scene(const ConvertedScene& scene);
 
 /// Labels of ours (1 background, 20 the first object, 30 the second, ...) for those that count objects; 0 where depth
 /// is 0. Images of one size. Throws InputError for more than 6552 objects, our labels are of 16 bits.

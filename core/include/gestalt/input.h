@@ -24,6 +24,7 @@ struct CameraFile {
 };
 
 /// Reads width, height, fx, fy, cx, cy (pixels) and, where present, depth_scale from YAML; no other key is allowed.
+/// Or a camera_info of ROS without distortion.
 /// Throws InputError with all errors of the file together, each `file:line:column: message`, counted from 1.
 GESTALT_EXPORT CameraFile read_camera(const std::filesystem::path& file);
 
@@ -49,9 +50,10 @@ struct Input {
 GESTALT_EXPORT std::string scene_name(const std::filesystem::path& scene);
 
 /// Every scene below the given paths, in the given order, the scenes of a folder in natural order (learn2 before
-/// learn10). A path is a scene folder, a .pcd file, or a folder of those; other files in a folder are left out. A
-/// folder with depth.png or rgb.png counts as a scene, so that one that lacks its depth is reported when it is read,
-/// not lost. Throws InputError for a path that does not exist or holds no scene, and for two scenes of the same name.
+/// learn10). A path is a scene folder, a .pcd, .ply or .npz file, or a folder of those; other files in a folder are
+/// left out. A folder with depth.png or rgb.png counts as a scene, so that one that lacks its depth is reported when it
+/// is read, not lost. Throws InputError for a path that does not exist or holds no scene, and for two scenes of the
+/// same name.
 GESTALT_EXPORT std::vector<std::filesystem::path> find_scenes(const std::vector<std::filesystem::path>& paths);
 
 /// Reads a scene folder or a PCD (formats: docs/formats.md). camera, where given, is used in place of what would be

@@ -17,7 +17,7 @@ namespace gestalt {
 /// The images of a scene folder, all of one size.
 struct SceneImages {
   cv::Mat colour;                 ///< CV_8UC3, blue green red; empty: no rgb.png
-  cv::Mat_<std::uint16_t> depth;  ///< millimetres, 0 = no measurement
+  cv::Mat_<std::uint16_t> depth;  ///< millimetres, or units of depth_scale; 0 = no measurement
   cv::Mat_<std::uint16_t> label;  ///< see object_of_label(); empty: no label.png
 };
 
@@ -27,9 +27,9 @@ GESTALT_EXPORT cv::Mat_<std::uint16_t> depth_in_millimetres(const Frame& frame);
 /// Writes folder/{rgb,label,depth}.png, all or none. Throws OutputError.
 GESTALT_EXPORT void write_scene_folder(const std::filesystem::path& folder, const SceneImages& images);
 
-/// The same with folder/camera.yaml.
+/// The same with folder/camera.yaml. depth_scale: metres for each unit of the depth image, in [1e-6, 1].
 GESTALT_EXPORT void write_scene_folder(const std::filesystem::path& folder, const SceneImages& images,
-                                       const Camera& camera);
+                                       const Camera& camera, double depth_scale = 0.001);
 
 /// Writes folder/camera.yaml for the scenes of the folder. Throws OutputError when it exists with other intrinsics.
 GESTALT_EXPORT void write_camera(const Camera& camera, const std::filesystem::path& folder);

@@ -3,12 +3,17 @@
 #pragma once
 
 #include <filesystem>
+#include <string>
 
 #include "gestalt/export.h"
 
 namespace gestalt {
 
-/// Whether a path is a scene, going by its names: a folder with depth.png or rgb.png, or a .pcd file. A folder without
+/// ".pcd" of "a/b.PCD".
+GESTALT_EXPORT std::string lower_extension(const std::filesystem::path& file);
+
+/// Whether a path is a scene, going by its names: a folder with depth.png or rgb.png, or a .pcd, .ply or .npz
+/// file. A folder without
 /// its depth counts, so that it is reported when it is read, not lost.
 GESTALT_EXPORT bool is_scene(const std::filesystem::path& path);
 

@@ -1,0 +1,440 @@
+# SPDX-FileCopyrightText: 2026 The Gestalt authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""formats_test.py GESTALT SCENE: layouts and files of others, written here as their definitions say, become the scene that they
+were made of; damaged ones are refused with their name, the place and the remedy."""
+
+import io
+import json
+import pathlib
+import shutil
+import subprocess
+import sys
+import tempfile
+import unittest
+import zipfile
+
+import cv2
+import numpy
+
+GESTALT, DEMO = sys.argv[1], pathlib.Path(sys.argv[2])
+K = numpy.array([[525, 0, 319.5], [0, 525, 239.5], [0, 0, 1]])
+CAMERA = "width: 640\nheight: 480\nfx: 525\nfy: 525\ncx: 319.5\ncy: 239.5\n"
+
+
+def read(folder, name):
+    return cv2.imread(str(pathlib.Path(folder, name)), cv2.IMREAD_UNCHANGED)
+
+
+depth, rgb, label = read(DEMO, "depth.png"), read(DEMO, "rgb.png"), read(DEMO, "label.png")
+objects = numpy.where((depth > 0) & (label >= 20), label.astype(int) // 10 - 1, 0)  # 0 background, 1 the first object
+expected_label = numpy.where(depth > 0, numpy.where(objects > 0, 10 * (objects + 1), 1), 0)
+
+
+def points():
+    v, u = numpy.mgrid[0:480, 0:640]
+    z = depth / 1000
+    return numpy.stack([(u - 319.5) * z / 525, (v - 239.5) * z / 525, z], axis=-1).astype(numpy.float32)
+
+
+class FormatsTest(unittest.TestCase):
+    def setUp(self):
+        temporary = tempfile.TemporaryDirectory()
+        self.addCleanup(temporary.cleanup)
+        self.work = pathlib.Path(temporary.name)
+
+    def run_gestalt(self, *words, exit_code=0):
+        done = subprocess.run([GESTALT, *map(str, words)], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+        self.assertEqual(done.returncode, exit_code, done.stderr or done.stdout)
+        return done.stdout if exit_code == 0 else done.stderr
+
+    def convert(self, source, *options):
+        """The folder of the only scene that it is converted to."""
+        out = self.work / "converted"
+        shutil.rmtree(out, ignore_errors=True)
+        self.run_gestalt("convert", source, "--output", out, *options)
+        return next(out.glob("*/*/depth.png")).parent
+
+    def refused(self, *parts, words):
+        """An unusable input: exit code 3, and a message that has the parts."""
+        error = self.run_gestalt(*words, exit_code=3)
+        for part in parts:
+            self.assertIn(str(part), error)
+        self.assertNotIn("terminate", error)
+
+    def expect_demo(self, folder, scale=1, labels=label, colour=rgb):
+        numpy.testing.assert_array_equal(read(folder, "depth.png"), depth.astype(int) * scale)
+        numpy.testing.assert_array_equal(read(folder, "rgb.png"), colour)
+        if labels is None:
+            self.assertFalse((folder / "label.png").exists())
+        else:
+            numpy.testing.assert_array_equal(read(folder, "label.png"), labels)
+
+
+class Npz(FormatsTest):
+    def test_arrays_of_numpy_are_a_scene(self):
+        file = self.work / "mine.npz"
+        for save, kind in ((numpy.savez, numpy.uint16), (numpy.savez_compressed, numpy.int64)):
+            save(file, depth=depth, rgb=rgb[..., ::-1], label=label.astype(kind), K=K)
+            self.expect_demo(self.convert(file))
+        numpy.savez(file, depth=(depth / 1000).astype(numpy.float32), rgb=rgb[..., ::-1], K=K.astype(numpy.float32))
+        self.expect_demo(self.convert(file), labels=None)
+
+    def test_they_segment_as_the_folder_does(self):
+        numpy.savez(self.work / "demo.npz", depth=depth, rgb=rgb[..., ::-1], K=K)
+        self.run_gestalt("segment", DEMO, self.work / "demo.npz", "--output", self.work / "out")
+        ours, theirs = (read(self.work / "out" / name, "labels.png") for name in (DEMO.name, "demo"))
+        numpy.testing.assert_array_equal(ours, theirs)
+        self.assertIn("scene of arrays", self.run_gestalt("info", self.work / "demo.npz"))
+
+    def test_a_scene_becomes_arrays(self):
+        self.run_gestalt("convert", DEMO, "--to", "npz", "--output", self.work / "out")
+        arrays = numpy.load(self.work / "out" / "scenes" / "demo_scene.npz")
+        numpy.testing.assert_array_equal(arrays["depth"], depth)
+        numpy.testing.assert_array_equal(arrays["rgb"], rgb[..., ::-1])
+        numpy.testing.assert_array_equal(arrays["label"], label)
+        numpy.testing.assert_array_equal(arrays["K"], K)
+        self.assertEqual(arrays["depth_scale"], 0.001)
+
+    def test_the_scale_of_depth_is_kept_in_mind(self):
+        numpy.savez(self.work / "fine.npz", depth=depth * 2, depth_scale=0.0005, rgb=rgb[..., ::-1], K=K)
+        self.expect_demo(self.convert(self.work / "fine.npz"), labels=None)
+
+    def test_what_is_wrong_is_named(self):
+        file = self.work / "wrong.npz"
+        good = {"depth": depth, "rgb": rgb[..., ::-1], "K": K}
+        for text, change in (
+            ("no array 'depth'", {"depth": None}),
+            ("array 'depth' has the shape (480, 640, 1)", {"depth": depth[..., None]}),
+            ("array 'rgb' must be of uint8 and have the shape (480, 640, 3)", {"rgb": rgb[1:]}),
+            ("array 'K' must have the shape (3, 3)", {"K": K[0]}),
+            ("no array 'K', nor is there a camera.yaml", {"K": None}),
+            ("array 'label' has a label outside of 0 to 65535", {"label": label.astype(int) - 1}),
+            ("array 'depth': is in Fortran order", {"depth": numpy.asfortranarray(depth)}),
+            ("array 'depth': has the type '>u2'", {"depth": depth.astype(">u2")}),
+            ("half precision", {"depth": depth.astype(numpy.float16)}),
+            ("array 'depth_scale' must be one number", {"depth_scale": numpy.array([1, 2])}),
+            ("array 'depth': ", {"depth": numpy.array([[{}]])}),
+        ):
+            with self.subTest(text):
+                arrays = {name: array for name, array in {**good, **change}.items() if array is not None}
+                numpy.savez(file, **arrays)
+                self.refused("wrong.npz", text, words=("info", file))
+
+    def test_damage_and_huge_claims_are_refused(self):
+        file = self.work / "damaged.npz"
+        numpy.savez_compressed(file, depth=depth, K=K)
+        whole = file.read_bytes()
+        for cut in (10, len(whole) // 2, len(whole) - 10):
+            file.write_bytes(whole[:cut])
+            self.refused("damaged.npz", "is no .npz file", words=("info", file))
+        flipped = bytearray(whole)
+        flipped[len(whole) // 2] ^= 0xFF
+        file.write_bytes(flipped)
+        self.refused("damaged.npz", "array 'depth'", "cannot be read", words=("info", file))
+        for shape in ((2**31, 2**31), (2**62, 4), (10**30, 1), (100000, 100000)):
+            header = io.BytesIO()
+            numpy.lib.format.write_array_header_1_0(header, {"descr": "<u2", "fortran_order": False, "shape": shape})
+            with zipfile.ZipFile(file, "w") as archive:
+                archive.writestr("depth.npy", header.getvalue())
+            self.refused("damaged.npz", "array 'depth'", words=("info", file))
+        with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:  # a megabyte that unpacks to more than memory is for
+            with archive.open("depth.npy", "w", force_zip64=True) as entry:
+                for _ in range(1100):
+                    entry.write(bytes(1 << 20))
+        self.refused("damaged.npz", "claims more than 2^30 bytes", words=("info", file))
+
+
+class Ply(FormatsTest):
+    def write_ply(self, file, form="binary_little_endian", with_label=True, after=True):
+        seen = depth.ravel() > 0
+        fields = [("x", "<f4"), ("y", "<f4"), ("z", "<f4"), ("red", "u1"), ("green", "u1"), ("blue", "u1")]
+        names = {"<f4": "float", "u1": "uchar", "<u2": "ushort"}
+        if with_label:
+            fields.append(("label", "<u2"))
+        vertices = numpy.zeros(numpy.count_nonzero(seen), fields)
+        xyz = points().reshape(-1, 3)[seen]
+        vertices["x"], vertices["y"], vertices["z"] = xyz.T
+        vertices["blue"], vertices["green"], vertices["red"] = rgb.reshape(-1, 3)[seen].T
+        if with_label:
+            vertices["label"] = label.ravel()[seen]
+        properties = "".join(f"property {names[kind]} {name}\n" for name, kind in fields)
+        faces = "element face 1\nproperty list uchar int vertex_indices\n" if after else ""
+        head = f"ply\nformat {form} 1.0\ncomment from a test\nelement vertex {len(vertices)}\n{properties}{faces}end_header\n"
+        if form == "ascii":
+            body = "\n".join(" ".join(repr(x) if isinstance(x, float) else str(x) for x in row) for row in vertices.tolist())
+            file.write_text(head + body + ("\n3 0 1 2\n" if after else "\n"))
+        else:
+            file.write_bytes(head.encode() + vertices.tobytes() + (b"\x03" + bytes(12) if after else b""))
+        return head, vertices
+
+    def test_a_cloud_is_a_scene(self):
+        file = self.work / "cloud.ply"
+        (self.work / "camera.yaml").write_text(CAMERA)
+        shown = numpy.where(depth[..., None] > 0, rgb, 0)
+        for form in ("ascii", "binary_little_endian"):
+            self.write_ply(file, form)
+            self.expect_demo(self.convert(file), labels=numpy.where(depth > 0, label, 0), colour=shown)
+        self.assertIn("PLY cloud", self.run_gestalt("info", file))
+
+    def test_a_scene_becomes_a_cloud_and_back(self):
+        self.run_gestalt("convert", DEMO, "--to", "ply", "--output", self.work / "out")
+        shown = numpy.where(depth[..., None] > 0, rgb, 0)
+        file = self.work / "out" / "scenes" / "demo_scene.ply"
+        self.expect_demo(self.convert(file), labels=numpy.where(depth > 0, label, 0), colour=shown)
+
+    def test_what_is_wrong_is_named(self):
+        file = self.work / "wrong.ply"
+        (self.work / "camera.yaml").write_text(CAMERA)
+        head, vertices = self.write_ply(file, after=False)
+        body = vertices.tobytes()
+        for text, damaged in (
+            ("wrong.ply:2: expected 'format ascii 1.0'", head.replace("little", "big")),
+            ("the number of vertices must be from 1 to 2^26", head.replace(f"vertex {len(vertices)}", "vertex 99999999999")),
+            ("the number of vertices must be from 1 to 2^26", head.replace(f"vertex {len(vertices)}", "vertex -1")),
+            ("has no field 'x'", head.replace("float x", "float a")),
+            ("stands here a second time", head.replace("float y", "float x")),
+            ("must be 'property TYPE NAME'", head.replace("property float z", "property list uchar int z")),
+            ("the header promises", head.replace(f"vertex {len(vertices)}", f"vertex {len(vertices) + 1}")),
+            ("must be of type uchar", head.replace("uchar red", "char red")),
+            ("is no line of a PLY header", head.replace("comment", "remark")),
+            ("the PLY header breaks off here", head[:100]),
+            ("'vertex'", "ply\nformat ascii 1.0\nend_header\n"),
+            ("wrong.ply:1: a PLY file begins with 'ply', not 'plyx'", head.replace("ply", "plyx", 1)),
+            ("stands before 'vertex'", "ply\nformat ascii 1.0\nelement face 1\nelement vertex 1\nend_header\n"),
+        ):
+            with self.subTest(text):
+                file.write_bytes(damaged.encode() + (body if "end_header" in damaged else b""))
+                self.refused("wrong.ply", text, words=("info", file))
+        file.write_text("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 three\n")
+        self.refused("wrong.ply:8", "three", words=("info", file))
+        (self.work / "camera.yaml").unlink()
+        self.refused("wrong.ply", "--camera", words=("info", self.write_ply(file) and file))
+
+
+class Tum(FormatsTest):
+    def sequence(self):
+        folder = self.work / "rgbd_dataset"
+        for name in ("rgb", "depth"):
+            (folder / name).mkdir(parents=True)
+        cv2.imwrite(str(folder / "rgb" / "100.000.png"), 255 - rgb)
+        cv2.imwrite(str(folder / "rgb" / "100.033.png"), rgb)
+        cv2.imwrite(str(folder / "depth" / "100.030.png"), depth * 5)
+        cv2.imwrite(str(folder / "depth" / "107.000.png"), depth)
+        (folder / "rgb.txt").write_text("# colour images\n100.000 rgb/100.000.png\n100.033 rgb/100.033.png\n")
+        (folder / "depth.txt").write_text("# depth maps\n100.030 depth/100.030.png\n107.000 depth/107.000.png\n")
+        return folder
+
+    def test_images_nearest_in_time_are_a_frame(self):
+        folder = self.convert(self.sequence())
+        self.assertEqual(folder.name, "100.030")
+        self.expect_demo(folder, scale=5, labels=None)
+        camera = (folder / "camera.yaml").read_text()
+        self.assertIn("depth_scale: 0.0002\n", camera)
+        self.run_gestalt("segment", DEMO, folder, "--output", self.work / "out")
+        ours, theirs = (read(self.work / "out" / name, "labels.png") for name in (DEMO.name, "100.030"))
+        numpy.testing.assert_array_equal(ours, theirs)
+
+    def test_what_is_wrong_is_named(self):
+        sequence = self.sequence()
+        lists = {name: (sequence / name).read_text() for name in ("rgb.txt", "depth.txt")}
+        for name, text, told in (
+            ("rgb.txt", "noon rgb/100.000.png\n", "rgb.txt:1: expected 'timestamp filename'"),
+            ("depth.txt", "# a\n100.0\n", "depth.txt:2: expected 'timestamp filename'"),
+            ("depth.txt", "nan depth/100.030.png\n", "depth.txt:1: expected 'timestamp filename'"),
+            ("depth.txt", "# nothing\n", "depth.txt: names no image"),
+            ("depth.txt", "200.0 depth/100.030.png\n", "no colour image is within 0.02 s"),
+            ("depth.txt", "100.03 depth/none.png\n", "none.png: does not exist"),
+            ("rgb.txt", None, "rgb.txt: does not exist"),
+        ):
+            with self.subTest(told):
+                (sequence / name).unlink() if text is None else (sequence / name).write_text(text)
+                self.refused(told, words=("convert", sequence, "--from", "tum", "--output", self.work / "out"))
+                (sequence / name).write_text(lists[name])
+
+
+class Bop(FormatsTest):
+    def scene(self):
+        folder = self.work / "test" / "000002"
+        for name in ("rgb", "depth", "mask_visib"):
+            (folder / name).mkdir(parents=True)
+        cv2.imwrite(str(folder / "rgb" / "000007.png"), rgb)
+        cv2.imwrite(str(folder / "depth" / "000007.png"), depth * 10)
+        for i in range(objects.max()):
+            cv2.imwrite(str(folder / "mask_visib" / f"000007_{i:06}.png"), numpy.where(objects == i + 1, 255, 0))
+        (folder / "scene_camera.json").write_text(json.dumps({"7": {"cam_K": K.ravel().tolist(), "depth_scale": 0.1}}))
+        return folder
+
+    def test_masks_are_ground_truth(self):
+        folder = self.convert(self.scene().parent, "--from", "bop")
+        self.assertEqual(folder.name, "000002_000007")
+        self.expect_demo(folder, scale=10, labels=expected_label)
+        self.assertIn("depth_scale: 0.0001\n", (folder / "camera.yaml").read_text())
+
+    def test_without_masks_there_is_no_ground_truth(self):
+        scene = self.scene()
+        shutil.rmtree(scene / "mask_visib")
+        self.expect_demo(self.convert(scene), scale=10, labels=None)
+
+    def test_what_is_wrong_is_named(self):
+        scene = self.scene()
+        file = scene / "scene_camera.json"
+        for text, told in (
+            ("{", "scene_camera.json: is no map"),
+            ("[]", "scene_camera.json: is no map"),
+            ('{"../7": {}}', "is no number of an image"),
+            ('{"7": {}}', "7: cam_K must be a list of 9 numbers"),
+            ('{"7": 3}', "7: cam_K must be a list of 9 numbers"),
+            ('{"7": {"cam_K": [1, 2, 3, 4, 5, 6, 7, 8, "nine"]}}', "cam_K must be a list of 9 numbers"),
+            ('{"7": {"cam_K": [525, 0, 320, 0, 525, 240, 0, 0, 1], "depth_scale": 0}}', "depth_scale must be a number"),
+            ('{"7": {"cam_K": [0, 0, 320, 0, 525, 240, 0, 0, 1]}}', "7: cam_K must have focal lengths"),
+            ('{"8": {"cam_K": [525, 0, 320, 0, 525, 240, 0, 0, 1]}}', "000008.png: does not exist"),
+        ):
+            with self.subTest(told):
+                file.write_text(text)
+                self.refused(told, words=("convert", scene, "--from", "bop", "--output", self.work / "out"))
+        self.refused("neither it nor a folder in it", words=("convert", DEMO, "--from", "bop", "--output", self.work / "out"))
+        good = self.work / "good"
+        scene.rename(good)
+        self.scene()
+        cv2.imwrite(str(scene / "mask_visib" / "000007_000001.png"), numpy.zeros((2, 2), numpy.uint8))
+        self.refused("000007_000001.png: is 2x2", words=("convert", scene, "--output", self.work / "out"))
+
+
+class Ocid(FormatsTest):
+    def sequence(self, place, background):
+        folder = self.work / "OCID" / place / "seq01"
+        for name in ("rgb", "depth", "label"):
+            (folder / name).mkdir(parents=True)
+        cv2.imwrite(str(folder / "rgb" / "result_1.png"), rgb)
+        cv2.imwrite(str(folder / "depth" / "result_1.png"), depth)
+        labels = numpy.where(objects > 0, objects + background, background)
+        cv2.imwrite(str(folder / "label" / "result_1.png"), labels.astype(numpy.uint8))
+        return folder
+
+    def test_floor_and_table_are_background(self):
+        (self.work / "camera.yaml").write_text(CAMERA)
+        for place, background in (("floor", 1), ("table", 2)):
+            self.sequence(place, background)
+        out = self.work / "converted"
+        release = self.work / "OCID"
+        self.run_gestalt("convert", release, "--from", "ocid", "--camera", self.work / "camera.yaml", "--output", out)
+        self.assertEqual(sorted(folder.name for folder in (out / "scenes").iterdir()),
+                         ["floor_seq01_result_1", "table_seq01_result_1"])
+        for folder in (out / "scenes").iterdir():
+            self.expect_demo(folder, labels=expected_label)
+
+    def test_the_camera_is_that_of_the_points(self):
+        folder = self.sequence("floor", 1)
+        (folder / "pcd").mkdir()
+        self.run_gestalt("convert", DEMO, "--to", "pcd", "--output", self.work / "cloud")
+        shutil.copy(self.work / "cloud" / "scenes" / "demo_scene.pcd", folder / "pcd" / "result_1.pcd")
+        converted = self.convert(folder)
+        self.expect_demo(converted, labels=expected_label)
+        camera = dict(line.split(": ") for line in (converted / "camera.yaml").read_text().splitlines()[1:])
+        self.assertAlmostEqual(float(camera["fx"]), 525, delta=0.1)
+
+    def test_what_is_wrong_is_named(self):
+        folder = self.sequence("floor", 1)
+        words = ("convert", folder, "--output", self.work / "out")
+        self.refused("result_1.pcd: does not exist", "--camera", words=words)
+        (self.work / "camera.yaml").write_text(CAMERA)
+        words += ("--camera", self.work / "camera.yaml")
+        (folder / "label" / "result_1.png").unlink()
+        self.refused("label/result_1.png: does not exist", words=words)
+        shutil.rmtree(folder / "depth")
+        self.refused("holds no folder with depth, rgb and label", words=("convert", folder, "--from", "ocid", *words[2:]))
+
+
+class CameraInfo(FormatsTest):
+    calibrated = """image_width: 640
+image_height: 480
+camera_name: rgb_camera
+camera_matrix:
+  rows: 3
+  cols: 3
+  data: [525, 0, 319.5, 0, 525, 239.5, 0, 0, 1]
+distortion_model: plumb_bob
+distortion_coefficients:
+  rows: 1
+  cols: 5
+  data: [0, 0, 0, 0, 0]
+"""
+    printed = """header:
+  frame_id: camera
+height: 480
+width: 640
+distortion_model: plumb_bob
+D: [0.0, 0.0, 0.0, 0.0, 0.0]
+K: [525.0, 0.0, 319.5, 0.0, 525.0, 239.5, 0.0, 0.0, 1.0]
+R: [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
+"""
+
+    def test_both_forms_are_cameras(self):
+        scene = self.work / "scene"
+        shutil.copytree(DEMO, scene)
+        file = self.work / "info.yaml"
+        for text in (self.calibrated, self.printed, self.printed.replace("K:", "k:").replace("D:", "d:")):
+            file.write_text(text)
+            self.run_gestalt("segment", scene, "--camera", file, "--output", self.work / "out")
+            told = json.loads((self.work / "out" / "scene" / "result.json").read_text())["camera"]
+            self.assertEqual((told["fx"], told["cy"], told["width"]), (525, 239.5, 640))
+
+    def test_what_is_wrong_is_named(self):
+        file = self.work / "info.yaml"
+        for told, text in (
+            ("info.yaml:6:4: the lens distorts", self.printed.replace("D: [0.0", "D: [0.1")),
+            ("must have 9 numbers", self.printed.replace("K: [525.0,", "K: [")),
+            ("'nine' is no number", self.printed.replace("319.5", "nine")),
+            ("image_width must be a whole number", self.printed.replace("width: 640", "width: 6.5")),
+            ("image_height must be", self.calibrated.replace("image_height: 480\n", "")),
+            ("the focal lengths must be", self.printed.replace("525.0", "-1")),
+            ("camera_matrix (K) must have 9 numbers", self.calibrated.replace("  data: [525", "  date: [525")),
+        ):
+            with self.subTest(told):
+                file.write_text(text)
+                self.refused("info.yaml", told, words=("segment", DEMO, "--camera", file, "--output", self.work / "out"))
+
+
+class Also(FormatsTest):
+    def setUp(self):
+        super().setUp()
+        self.run_gestalt("segment", DEMO, "--also", "pcd,ply,coco", "--output", self.work)
+        self.folder = self.work / DEMO.name
+
+    def test_clouds_have_the_labels(self):
+        labels = read(self.folder, "labels.png")
+        data = (self.folder / "labelled.pcd").read_bytes().split(b"DATA binary\n", 1)[1]
+        cloud = numpy.frombuffer(data, [("xyz", "<f4", 3), ("rgb", "<u4"), ("label", "<u4")]).reshape(480, 640)
+        numpy.testing.assert_array_equal(cloud["label"], labels)
+        numpy.testing.assert_array_equal(numpy.isnan(cloud["xyz"][..., 2]), depth == 0)
+        numpy.testing.assert_allclose(cloud["xyz"][depth > 0], points()[depth > 0], atol=1e-6)
+        data = (self.folder / "labelled.ply").read_bytes().split(b"end_header\n", 1)[1]
+        vertices = numpy.frombuffer(data, [("xyz", "<f4", 3), ("rgb", "u1", 3), ("label", "<u2")])
+        numpy.testing.assert_array_equal(vertices["label"], labels[depth > 0])
+        numpy.testing.assert_array_equal(vertices["rgb"], rgb[depth > 0][:, ::-1])
+
+    def test_instances_are_the_objects(self):
+        objects_found = read(self.folder, "objects.png")
+        coco = json.loads((self.folder / "coco.json").read_text())
+        self.assertEqual([(image["width"], image["height"]) for image in coco["images"]], [(640, 480)])
+        self.assertEqual({a["id"] for a in coco["annotations"]}, set(numpy.unique(objects_found)) - {0})
+        for annotation in coco["annotations"]:
+            counts = annotation["segmentation"]["counts"]
+            runs = numpy.concatenate([numpy.full(count, i % 2) for i, count in enumerate(counts)])
+            mask = runs.reshape(640, 480).T
+            numpy.testing.assert_array_equal(mask, objects_found == annotation["id"])
+            self.assertEqual(annotation["area"], mask.sum())
+            v, u = numpy.nonzero(mask)
+            self.assertEqual(annotation["bbox"], [u.min(), v.min(), u.max() - u.min() + 1, v.max() - v.min() + 1])
+
+
+class Convert(FormatsTest):
+    def test_a_layout_that_cannot_be_guessed_is_asked_for(self):
+        self.refused("give --from", words=("convert", self.work, "--output", self.work / "out"))
+
+    def test_nothing_is_converted_to_itself(self):
+        self.refused("would be converted to", words=("convert", DEMO, "--output", self.work / "out"))
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1])
