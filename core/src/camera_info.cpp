@@ -77,8 +77,12 @@ CameraFile read_camera_info(const fs::path& file, const YAML::Node& root) {
   if (std::any_of(distortion.begin(), distortion.end(), [](double value) { return value != 0; }))
     reader.fail(any_of(root, {"distortion_coefficients", "D", "d"}),
                 "the lens distorts; rectify the images (image_proc) and give a camera file with the intrinsics of P");
+  const YAML::Node model = any_of(root, {"distortion_model"});
+  if (model && model.IsScalar() && model.Scalar() == "equidistant")
+    reader.fail(model, "an equidistant lens is no pinhole, even without coefficients; rectify the images");
   const std::vector<double> k = reader.numbers({"camera_matrix", "K", "k"});
   if (k.size() != 9) reader.fail(any_of(root, {"camera_matrix", "K", "k"}), "camera_matrix (K) must have 9 numbers");
+  if (k[1] != 0) reader.fail(any_of(root, {"camera_matrix", "K", "k"}), "its axes are skew; our cameras have none");
   CameraFile result(Camera{reader.extent({"image_width", "width"}), reader.extent({"image_height", "height"}), k[0],
                            k[4], k[2], k[5]});
   const Camera& c = result.camera;

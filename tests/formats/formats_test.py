@@ -373,7 +373,8 @@ R: [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
         scene = self.work / "scene"
         shutil.copytree(DEMO, scene)
         file = self.work / "info.yaml"
-        for text in (self.calibrated, self.printed, self.printed.replace("K:", "k:").replace("D:", "d:")):
+        for text in (self.calibrated, self.printed, self.printed.replace("K:", "k:").replace("D:", "d:"),
+                     self.printed.replace("[0.0, 0.0, 0.0, 0.0, 0.0]", "[]") + "---\n"):
             file.write_text(text)
             self.run_gestalt("segment", scene, "--camera", file, "--output", self.work / "out")
             told = json.loads((self.work / "out" / "scene" / "result.json").read_text())["camera"]
@@ -383,6 +384,8 @@ R: [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
         file = self.work / "info.yaml"
         for told, text in (
             ("info.yaml:6:4: the lens distorts", self.printed.replace("D: [0.0", "D: [0.1")),
+            ("an equidistant lens is no pinhole", self.printed.replace("plumb_bob", "equidistant")),
+            ("its axes are skew", self.printed.replace("K: [525.0, 0.0", "K: [525.0, 0.5")),
             ("must have 9 numbers", self.printed.replace("K: [525.0,", "K: [")),
             ("'nine' is no number", self.printed.replace("319.5", "nine")),
             ("image_width must be a whole number", self.printed.replace("width: 640", "width: 6.5")),
