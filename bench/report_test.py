@@ -62,6 +62,11 @@ def check_throughput(report):
     require_numbers(report, ("gain",))
 
 
+def check_boundary(report):
+    require_numbers(report["milliseconds"], ("plugins", "linked"))
+    assert isinstance(report["boundary_percent"], float), report
+
+
 def check_startup(report):
     require_spreads(report["milliseconds"], ("config_plugins_model", "gestalt_version", "gestalt_plugins_list"))
 
@@ -85,7 +90,7 @@ def check_surfaces(names):
 
 
 REPORTS = {"bench_frame": check_frame, "bench_compare": check_compare, "bench_scaling": check_scaling,
-           "bench_throughput": check_throughput, "bench_startup": check_startup}
+           "bench_throughput": check_throughput, "bench_startup": check_startup, "bench_boundary": check_boundary}
 GOOGLE_BENCHMARKS = {"bench_levels": check_levels, "bench_relations": check_relations, "bench_surfaces": check_surfaces}
 
 program, file = sys.argv[1], pathlib.Path(sys.argv[3])

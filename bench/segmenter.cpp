@@ -11,6 +11,12 @@ Segmenter::Segmenter(const std::filesystem::path& config)
       pipeline(tree.resolve(registry), registry),
       models(pipeline.load_models()) {}
 
+Segmenter::Segmenter(const std::filesystem::path& config, Registry components)
+    : tree(config, {}),
+      registry(std::move(components)),
+      pipeline(tree.resolve(registry), registry),
+      models(pipeline.load_models()) {}
+
 LevelTimes Segmenter::operator()(const Frame& frame) const {
   const Percept percept = pipeline.perceive(frame);
   LevelTimes times = percept.times;

@@ -16,6 +16,9 @@ struct Segmenter {
   /// Throws ConfigError, PluginError, ModelError.
   explicit Segmenter(const std::filesystem::path& config = default_config());
 
+  /// The same with other components than those of plugins.
+  Segmenter(const std::filesystem::path& config, Registry components);
+
   /// Segments the frame, and tells the milliseconds of each level.
   LevelTimes operator()(const Frame& frame) const;
 

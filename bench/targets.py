@@ -62,6 +62,7 @@ def growth_to(entries, size_ratio):
 
 def targets(reports):
     scaling, startup = reports["scaling"], reports["startup"]["milliseconds"]
+    boundary = reports["boundary"] or {"boundary_percent": None}
     python = reports["python"] or {"call_milliseconds": None, "gain": None}
     return [
         *frame_targets(reports["compare"], "default", median=100, p99=200, lccp=1),
@@ -72,6 +73,7 @@ def targets(reports):
         Target("frames a second, two threads against one", 1.85, reports["throughput"]["gain"], "x", at_least=True),
         Target("config, plugins and model loaded", 100, startup["config_plugins_model"]["median"], " ms"),
         Target("whole process of gestalt --version", 100, startup["gestalt_version"]["median"], " ms"),
+        Target("components as plugins against linked ones", 1, boundary["boundary_percent"], " %"),
         Target("a frame called from Python, beside its levels", 2, python["call_milliseconds"], " ms"),
         Target("frames a second, two Dask workers against one", 1.8, python["gain"], "x", at_least=True),
         Target("peak memory", 120, reports["frame"]["peak_megabytes"], " MB"),
