@@ -162,7 +162,7 @@ export const tell_patch = (scene, cut, patch, { point = null, edges = 6, choose 
       fact(
         "Segment",
         segment
-          ? `${segment.label}, ${segment.background ? "background" : "object"} of ${segment.patches.length} patches`
+          ? `${segment.label}, ${segment.background ? "background" : "object"} of ${segment.patches.length} ${segment.patches.length === 1 ? "patch" : "patches"}`
           : "none",
       ),
       told.object === null ? [] : fact("Ground truth", object_name(told.object)),
