@@ -1,13 +1,18 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <iomanip>
 #include <memory>
+#include <mutex>
+#include <optional>
+#include <set>
 #include <sstream>
 
 #include "command.h"
 #include "scene_batch.h"
 #include "segmenter.h"
+#include "viewer.h"
 
 namespace gestalt::app {
 
@@ -15,20 +20,34 @@ namespace {
 
 struct Options {
   std::vector<std::filesystem::path> inputs;
+  bool view = false;
   SegmenterOptions segmenter;
 };
 
 int segment(const Options& options) {
+  std::optional<Viewer> viewer;
+  SegmenterOptions with_clouds = options.segmenter;
+  if (options.view) {
+    viewer.emplace();
+    with_clouds.also.push_back("pcd");
+  }
   const ThreadLimit limit(options.segmenter.pipeline.threads);
   const std::vector<std::filesystem::path> scenes = find_scenes(options.inputs);
-  const Segmenter segmenter(options.segmenter);
-  return for_each_scene(scenes, [&](const std::filesystem::path& scene) {
+  const Segmenter segmenter(with_clouds);
+  std::mutex mutex;
+  std::set<std::filesystem::path> written;
+  int code = for_each_scene(scenes, [&](const std::filesystem::path& scene) {
     const SegmentedScene done = segmenter.segment(scene);
     std::ostringstream line;
     line << done.folder.string() << ": " << done.segments << " segments of " << done.patches << " patches, "
          << std::fixed << std::setprecision(0) << done.milliseconds << " ms";
+    const std::lock_guard lock(mutex);
+    written.insert(done.folder);
     return line.str();
   });
+  if (viewer && !written.empty())
+    code = std::max(code, viewer->show(std::vector<std::filesystem::path>(written.begin(), written.end())));
+  return code;
 }
 
 }  // namespace
@@ -40,9 +59,13 @@ void add_segment(CLI::App& app, Run& run) {
       ->required()
       ->type_name("INPUT");
   add_segmenter_options(*command, options->segmenter);
+  command->add_flag(
+      "--view", options->view,
+      "Show the results in PCL's viewer afterwards (needs a display and gestalt-view); implies --also pcd");
   command->footer(
       "Example: gestalt segment examples/demo_scene --output out\n"
-      "         gestalt segment cloud.ply --camera camera.yaml --also pcd,coco");
+      "         gestalt segment cloud.ply --camera camera.yaml --also pcd,coco\n"
+      "         gestalt segment examples/demo_scene --view");
   command->callback([options, &run] { run = [options] { return segment(*options); }; });
 }
 

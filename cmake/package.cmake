@@ -61,4 +61,10 @@ set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-distributed")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Gestalt in Python
  The segmenter on numpy arrays, components written in Python, batches by Dask.")
 
+set(CPACK_DEBIAN_VIEWER_PACKAGE_NAME gestalt-view)
+set(CPACK_DEBIAN_VIEWER_PACKAGE_SECTION science)
+set(CPACK_DEBIAN_VIEWER_PACKAGE_DEPENDS "gestalt ${same_version}")
+set(CPACK_COMPONENT_VIEWER_DESCRIPTION "Gestalt's results in PCL's viewer
+ What gestalt segment --view opens.")
+
 include(CPack)

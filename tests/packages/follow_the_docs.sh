@@ -17,6 +17,11 @@ gestalt --version
 gestalt synthesize --category complex_scene --seed 5 --count 4 --output scenes
 gestalt segment scenes --output out
 
+step "the viewer could be installed, too"
+apt-get install -y -qq --no-install-recommends --simulate /packages/gestalt-view_*.deb >log 2>&1 || { tail -20 log; exit 1; }
+gestalt segment scenes --output viewed --view 2>log && exit 1
+grep -q "install the package gestalt-view" log
+
 step "install what plugins are made with"
 apt-get install -y -qq --no-install-recommends /packages/libgestalt-dev_*.deb g++ make libgtest-dev >log 2>&1 ||
   { tail -20 log; exit 1; }
