@@ -3,7 +3,6 @@
 
 #include "gestalt/frame.h"
 
-#include <cmath>
 #include <sstream>
 
 #include "gestalt/error.h"
@@ -12,16 +11,23 @@ namespace gestalt {
 
 namespace {
 
+// No sensor measures what is nearer or farther, and of what lies beyond, squares and products are no longer numbers.
+constexpr float nearest = 0.001F, farthest = 1000.F;
+constexpr double shortest_focal_length = 0.001, longest_focal_length = 1e6;  // of the image's size
+
 void check_camera(const std::string& name, const Camera& c, cv::Size size) {
   const auto fail = [&](const std::string& what) {
     std::ostringstream message;
     message << name << ": camera: " << what;
     throw InputError(message.str());
   };
-  const auto positive = [](double f) { return std::isfinite(f) && f > 0; };
-  if (!positive(c.fx) || !positive(c.fy))
+  const auto sound = [](double f, int pixels) {
+    return f >= shortest_focal_length * pixels && f <= longest_focal_length * pixels;
+  };
+  if (!sound(c.fx, size.width) || !sound(c.fy, size.height))
     fail("focal lengths fx = " + std::to_string(c.fx) + ", fy = " + std::to_string(c.fy) +
-         " must be positive pixel numbers; correct camera.yaml or give --camera");
+         " must be positive pixel numbers, from a thousandth to a million times the image's size; correct camera.yaml "
+         "or give --camera");
   if (c.width != size.width || c.height != size.height)
     fail("is made for " + std::to_string(c.width) + "x" + std::to_string(c.height) + " images, the depth image is " +
          std::to_string(size.width) + "x" + std::to_string(size.height) + "; give the camera file of this sensor mode");
@@ -49,7 +55,7 @@ Frame make_frame(std::string name, cv::Mat colour, cv::Mat_<float> depth, const 
     float* z = frame.depth[v];
     cv::Vec3f* p = frame.points[v];
     for (int u = 0; u < frame.width(); ++u) {
-      if (!(std::isfinite(z[u]) && z[u] > 0)) z[u] = 0;
+      if (!(z[u] >= nearest && z[u] <= farthest)) z[u] = 0;
       any = any || z[u] > 0;
       p[u] = {(float(u) - cx) * inverse_fx * z[u], (float(v) - cy) * inverse_fy * z[u], z[u]};
     }

@@ -31,8 +31,11 @@ TEST(Frame, TakesNothingThatIsNoDistanceForDepth) {
   depth(0, 0) = std::nanf("");
   depth(0, 1) = -1;
   depth(0, 2) = std::numeric_limits<float>::infinity();
+  depth(1, 0) = 1e-40F;
+  depth(1, 1) = 1e30F;
+  depth(1, 2) = 1000.1F;
   const Frame frame = make_frame("f", {}, depth, camera());
-  for (int pixel = 0; pixel < 3; ++pixel) {
+  for (const int pixel : {0, 1, 2, 4, 5, 6}) {
     EXPECT_FALSE(frame.valid(pixel));
     EXPECT_EQ(frame.point(pixel), Eigen::Vector3f::Zero());
   }
@@ -46,7 +49,7 @@ TEST(Frame, RefusesWhatDoesNotFit) {
   EXPECT_THROW(make_frame("f", {}, metre(), camera(5)), InputError);
   EXPECT_THROW(make_frame("f", cv::Mat(3, 5, CV_8UC3), metre(), camera()), InputError);
   EXPECT_THROW(make_frame("f", cv::Mat(3, 4, CV_8UC1), metre(), camera()), InputError);
-  for (const double wrong : {0.0, -1.0, std::nan(""), HUGE_VAL}) {
+  for (const double wrong : {0.0, -1.0, std::nan(""), HUGE_VAL, 1e-30, 1e30}) {
     Camera c = camera();
     c.fx = wrong;
     EXPECT_THROW(make_frame("f", {}, metre(), c), InputError) << wrong;

@@ -47,9 +47,9 @@ struct Frame {
 };
 
 /// Checks the images and the camera against each other and computes the points.
-/// Depth values that are not finite or not positive become 0. colour may be empty (then colour relations cannot be
-/// used), else CV_8UC3. Throws InputError when sizes differ, the image is empty, the intrinsics are not positive and
-/// finite, the principal point lies outside the image, or no pixel has depth.
+/// Depth values outside of [1 mm, 1 km], NaN among them, become 0. colour may be empty (then colour relations cannot be
+/// used), else CV_8UC3. Throws InputError when sizes differ, the image is empty, a focal length is not in
+/// [0.001, 1e6] times the image's size, the principal point lies outside the image, or no pixel has depth.
 GESTALT_EXPORT Frame make_frame(std::string name, cv::Mat colour, cv::Mat_<float> depth, const Camera& camera);
 
 }  // namespace gestalt
