@@ -10,6 +10,7 @@
 
 #include "built_with.h"
 #include "command.h"
+#include "crash_report.h"
 #include "gestalt/error.h"
 #include "gestalt/suggest.h"
 
@@ -39,6 +40,7 @@ int report(const std::exception& error, int code) {
 int run_command(int argc, char** argv) {
   std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is a failed write, not a sudden death
   using namespace gestalt::app;
+  report_crashes();
   CLI::App app{"Segments unknown objects in RGB-D frames of cluttered scenes by learned perceptual grouping",
                "gestalt"};
   app.require_subcommand(1);

@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <fstream>
 
+#include "component_call.h"
 #include "gestalt/error.h"
 #include "gestalt/model_fields.h"
 #include "gestalt/output_file.h"
@@ -139,8 +140,11 @@ Model train_model(const Classifier& classifier, std::string classifier_name, std
   Samples scaled = samples;
   for (std::size_t i = 0; i < samples.rows(); ++i)
     scaling.apply(samples.row(i), {scaled.values.data() + i * samples.columns, samples.columns});
-  return {std::move(names),        scaling, std::move(classifier_name), std::move(config_hash), std::move(training),
-          classifier.train(scaled)};
+  const ComponentName name = component_name("classifier", classifier_name);
+  std::shared_ptr<const Predictor> predictor = call_component(name, [&] { return classifier.train(scaled); });
+  if (!predictor) throw PluginError(std::string(name) + " learned nothing; report this to its author");
+  return {std::move(names),    scaling, std::move(classifier_name), std::move(config_hash), std::move(training),
+          std::move(predictor)};
 }
 
 namespace {

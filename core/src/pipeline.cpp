@@ -10,6 +10,8 @@
 #include <limits>
 
 #include "aside.h"
+#include "component_call.h"
+#include "contract.h"
 #include "gestalt/error.h"
 #include "gestalt/images.h"
 #include "isolated.h"
@@ -39,9 +41,25 @@ void add_edges(Graph& graph, const RelationTable& table, const std::vector<std::
   std::vector<double> values;
   values.reserve(rows.size() * table.names.size());
   for (const std::size_t row : rows) values.insert(values.end(), table.row(row).begin(), table.row(row).end());
-  const std::vector<double> p = model.probabilities(values);
+  const ComponentName classifier = component_name("classifier", model.classifier);
+  const std::vector<double> p = call_component(classifier, [&] { return model.probabilities(values); });
+  require_probabilities(classifier, p);
   for (std::size_t i = 0; i < rows.size(); ++i)
     graph.edges.push_back({table.pairs[rows[i]].a, table.pairs[rows[i]].b, p[i], level});
+}
+
+std::vector<int> cut(const Solver& solver, const std::string& plugin, const Graph& graph) {
+  const ComponentName name = component_name("solver", plugin);
+  std::vector<int> groups = call_component(name, [&] { return solver.solve(graph); });
+  require_groups(name, groups, graph.sizes.size());
+  return groups;
+}
+
+/// "fitter 'plane', 'bspline'": all of them, as they take turns.
+ComponentName name_of_fitters(const std::vector<ComponentConfig>& fitters) {
+  std::string names;
+  for (const ComponentConfig& fitter : fitters) names += (names.empty() ? "" : "', '") + fitter.plugin;
+  return component_name("fitter", names);
 }
 
 /// Groups of surfaces as segments, largest first; equal sizes in order of their first surface.
@@ -152,16 +170,22 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
   frame.noise = noise_;
   const Images images(frame);
   Aside observations([&] {
-    tbb::parallel_for_each(relations_, [&](const NamedRelation& named) { images.observation(*named.relation); });
+    tbb::parallel_for_each(relations_, [&](const NamedRelation& named) {
+      call_component(component_name("relation", named.name), [&] { images.observation(*named.relation); });
+    });
   });
   Percept percept;
   {
     const Stopwatch watch(percept.times.signal);
-    percept.patches = clusterer_->cluster(frame);
+    const ComponentName name = component_name("clusterer", config_.clusterer.plugin);
+    percept.patches = call_component(name, [&] { return clusterer_->cluster(frame); });
+    require_patches(name, percept.patches, frame);
   }
   {
     const Stopwatch watch(percept.times.primitive);
-    percept.surfaces = model_surfaces(frame, percept.patches, fitters_, surface_modelling_);
+    percept.surfaces = call_component(name_of_fitters(config_.fitters), [&] {
+      return model_surfaces(frame, percept.patches, fitters_, surface_modelling_);
+    });
   }
   {
     const Stopwatch watch(percept.times.decision);
@@ -209,7 +233,7 @@ std::vector<std::size_t> assembly_rows(const Percept& percept, const std::vector
 }
 
 std::vector<int> Pipeline::structural_groups(const Percept& percept, const Model& model) const {
-  return solver_->solve(structural_graph(percept, model));
+  return cut(*solver_, config_.solver.plugin, structural_graph(percept, model));
 }
 
 Segmentation Pipeline::decide(const Percept& percept, const Models& models, LevelTimes* times) const {
@@ -223,7 +247,7 @@ Segmentation Pipeline::decide(const Percept& percept, const Models& models, Leve
   std::vector<int> groups;
   {
     const Stopwatch watch(spent.decision);
-    groups = solver_->solve(graph);
+    groups = cut(*solver_, config_.solver.plugin, graph);
   }
   if (assembly_) {
     {
@@ -233,7 +257,7 @@ Segmentation Pipeline::decide(const Percept& percept, const Models& models, Leve
                 [](const Edge& x, const Edge& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
     }
     const Stopwatch watch(spent.decision);
-    groups = solver_->solve(graph);
+    groups = cut(*solver_, config_.solver.plugin, graph);
   }
   return assemble(percept.surfaces, percept.roles, std::move(graph), groups);
 }

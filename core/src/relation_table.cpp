@@ -10,6 +10,7 @@
 #include <algorithm>
 #include <cmath>
 
+#include "component_call.h"
 #include "gestalt/error.h"
 
 namespace gestalt {
@@ -96,8 +97,16 @@ std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, double 
 }
 
 Measures::Measures(const Scene& scene, const std::vector<NamedRelation>& relations) {
-  for (const NamedRelation& named : relations) measures_.try_emplace(named.relation.get());
-  tbb::parallel_for_each(measures_, [&](auto& entry) { entry.second = entry.first->bind(scene); });
+  std::map<const Relation*, ComponentName> names;
+  for (const NamedRelation& named : relations) {
+    measures_.try_emplace(named.relation.get());
+    names.try_emplace(named.relation.get(), component_name("relation", named.name));
+  }
+  tbb::parallel_for_each(measures_, [&](auto& entry) {
+    const ComponentName name = names.at(entry.first);
+    entry.second = call_component(name, [&] { return entry.first->bind(scene); });
+    if (!entry.second) throw PluginError(std::string(name) + " gave no measure; report this to its author");
+  });
 }
 
 RelationTable relate(const std::vector<SurfacePair>& pairs, const std::vector<NamedRelation>& relations,
@@ -108,7 +117,12 @@ RelationTable relate(const std::vector<SurfacePair>& pairs, const std::vector<Na
   for (const SurfacePair& pair : pairs) table.pairs.push_back({pair.a, pair.b});
   std::vector<std::vector<std::size_t>> kept_of;
   kept_of.reserve(relations.size());
-  for (const NamedRelation& named : relations) kept_of.push_back(kept(named));
+  std::vector<ComponentName> names;
+  names.reserve(relations.size());
+  for (const NamedRelation& named : relations) {
+    kept_of.push_back(kept(named));
+    names.push_back(component_name("relation", named.name));
+  }
   tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), pairs_at_once), [&](const auto& range) {
     const std::span<const SurfacePair> some(pairs.data() + range.begin(), range.size());
     std::size_t column = 0;
@@ -116,7 +130,7 @@ RelationTable relate(const std::vector<SurfacePair>& pairs, const std::vector<Na
     for (std::size_t r = 0; r < relations.size(); ++r) {
       const std::size_t width = relations[r].relation->values().size();
       own.assign(width * some.size(), 0);
-      measures.of(*relations[r].relation).measure(some, own);
+      call_component(names[r], [&] { measures.of(*relations[r].relation).measure(some, own); });
       for (std::size_t i = 0; i < some.size(); ++i) {
         const std::span<const double> row(own.data() + i * width, width);
         check_values(relations[r], row);

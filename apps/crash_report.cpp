@@ -1,0 +1,66 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "crash_report.h"
+
+#include <unistd.h>
+
+#include <array>
+#include <csignal>
+#include <cstring>
+
+#include "gestalt/running_component.h"
+
+namespace gestalt::app {
+
+namespace {
+
+void say(const char* text) {
+  if (write(STDERR_FILENO, text, std::strlen(text)) < 0) return;  // nobody listens
+}
+
+const char* name_of(int signal) {
+  switch (signal) {
+    case SIGSEGV:
+      return "segmentation fault";
+    case SIGBUS:
+      return "bus error";
+    case SIGFPE:
+      return "arithmetic fault";
+    case SIGILL:
+      return "illegal instruction";
+    default:
+      return "abort";
+  }
+}
+
+/// Only what a signal handler may call.
+void report(int signal) {
+  say("gestalt: error: ");
+  say(name_of(signal));
+  if (const char* component = running_component()) {
+    say(" while ");
+    say(component);
+    say(" was at work; report this to its author, or leave it out of the config");
+  }
+  say("\n");
+  raise(signal);  // the handler is taken back when it is called, so that this ends the process as the fault would
+}
+
+}  // namespace
+
+void report_crashes() {
+  static std::array<char, 65536> stack;  // for the fault of a stack that is full
+  const stack_t other{stack.data(), 0, stack.size()};
+  sigaltstack(&other, nullptr);
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
+    struct sigaction known {};
+    if (sigaction(signal, nullptr, &known) != 0 || known.sa_handler != SIG_DFL) continue;
+    struct sigaction action {};
+    action.sa_handler = report;
+    action.sa_flags = int(SA_RESETHAND) | SA_NODEFER | SA_ONSTACK;
+    sigaction(signal, &action, nullptr);
+  }
+}
+
+}  // namespace gestalt::app

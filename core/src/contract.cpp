@@ -1,0 +1,48 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "contract.h"
+
+#include <cmath>
+
+namespace gestalt {
+
+namespace {
+
+[[noreturn]] void broken(ComponentName component, const std::string& what) {
+  throw PluginError(std::string(component) + " gave " + what + "; report this to its author");
+}
+
+}  // namespace
+
+void require_patches(ComponentName clusterer, const PatchMap& patches, const Frame& frame) {
+  if (patches.labels.size() != frame.depth.size() || patches.normals.size() != frame.depth.size())
+    broken(clusterer, "labels or normals of another size than the frame's");
+  for (int v = 0; v < frame.height(); ++v) {
+    const int* label = patches.labels[v];
+    const cv::Vec3f* normal = patches.normals[v];
+    const float* depth = frame.depth[v];
+    for (int u = 0; u < frame.width(); ++u) {
+      if (label[u] < 0 || label[u] > patches.count)
+        broken(clusterer,
+               "the label " + std::to_string(label[u]) + ", of " + std::to_string(patches.count) + " patches");
+      if (label[u] > 0 && !(depth[u] > 0)) broken(clusterer, "a label to a pixel without depth");
+      if (!std::isfinite(normal[u][0] + normal[u][1] + normal[u][2])) broken(clusterer, "a normal that is not finite");
+    }
+  }
+}
+
+void require_groups(ComponentName solver, const std::vector<int>& groups, std::size_t nodes) {
+  if (groups.size() != nodes)
+    broken(solver, std::to_string(groups.size()) + " groups for " + std::to_string(nodes) + " patches");
+  for (const int group : groups)
+    if (group < 0 || std::size_t(group) >= nodes)
+      broken(solver, "the group " + std::to_string(group) + " for " + std::to_string(nodes) + " patches");
+}
+
+void require_probabilities(ComponentName classifier, std::span<const double> p) {
+  for (const double one : p)
+    if (!(one >= 0 && one <= 1)) broken(classifier, "the probability " + std::to_string(one));
+}
+
+}  // namespace gestalt
