@@ -34,7 +34,13 @@ def page_names():
         f"examples/{file.parent.name}/README.md": f"examples/{file.parent.name}.md"
         for file in ROOT.glob("examples/*/README.md")
     }
-    return names | {"CONTRIBUTING.md": "contributing.md", "CHANGELOG.md": "changelog.md", "README.md": "index.md"}
+    return names | {
+        "CONTRIBUTING.md": "contributing.md",
+        "SECURITY.md": "security.md",
+        "fuzz/README.md": "fuzzing.md",
+        "CHANGELOG.md": "changelog.md",
+        "README.md": "index.md",
+    }
 
 
 def relink(text, page, names):

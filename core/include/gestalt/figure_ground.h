@@ -27,7 +27,7 @@ struct FigureGroundParams {
   double largest_remainder = 0.02;  ///< of the frame's points; fewer than this beyond a plane are noise
   bool separate = true;             ///< an object's surface and the background's are never joined
 
-  static const Parameters<FigureGroundParams>& parameters();
+  GESTALT_EXPORT static const Parameters<FigureGroundParams>& parameters();
 };
 
 /// Role of every surface. Background are supports - planes that things are in front of - and what lies beyond:

@@ -7,6 +7,7 @@
 
 #include "gestalt/fitter.h"
 #include "gestalt/frame.h"
+#include "gestalt/export.h"
 #include "gestalt/parameters.h"
 #include "gestalt/patch_map.h"
 #include "gestalt/surface_set.h"
@@ -24,7 +25,7 @@ struct SurfaceModellingParams {
   double neighbour_depth = 3.0;           ///< touching pixels with |dz| < this * (noise(z) + z / f) may merge
   double border_depth = 1.8;              ///< touching pixels with |dz| < this * (noise(z) + z / f) are 3D border
 
-  static const Parameters<SurfaceModellingParams>& parameters();
+  GESTALT_EXPORT static const Parameters<SurfaceModellingParams>& parameters();
 };
 
 /// Primitive level, Algorithm 1: chooses for every patch the fitter with the largest savings, then merges 3D neighbours
