@@ -6,9 +6,9 @@
 
 namespace gestalt {
 
-/// The component that the calling thread works for, as "relation 'gabor'"; else the one that any thread began with last;
-/// null before the first. For whoever reports a crash: may be called in a signal handler, and the text lives as long as
-/// the process.
+/// The component that the calling thread works for, as "relation 'gabor'"; else the one that any thread began with
+/// last; null before the first. For whoever reports a crash: may be called in a signal handler, and the text lives as
+/// long as the process.
 GESTALT_EXPORT const char* running_component() noexcept;
 
 }  // namespace gestalt

@@ -5,9 +5,9 @@
 #include <memory>
 #include <vector>
 
+#include "gestalt/export.h"
 #include "gestalt/fitter.h"
 #include "gestalt/frame.h"
-#include "gestalt/export.h"
 #include "gestalt/parameters.h"
 #include "gestalt/patch_map.h"
 #include "gestalt/surface_set.h"
