@@ -42,7 +42,9 @@ class Texts {
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
   using namespace gestalt;
-  static void* plugin = dlopen(FUZZ_PLUGINS "/told.so", RTLD_NOW);
+  static const std::filesystem::path plugins =
+      std::filesystem::read_symlink("/proc/self/exe").replace_filename("plugins");
+  static void* plugin = dlopen((plugins / "told.so").c_str(), RTLD_NOW);
   static auto* told = static_cast<const gestalt_manifest**>(plugin ? dlsym(plugin, "told_manifest") : nullptr);
   if (told == nullptr) std::abort();
   static const std::string fingerprint = build_fingerprint();
@@ -58,5 +60,5 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       provider.PickValueInArray({GESTALT_INTERFACE_VERSION, 0U, 99U}), texts.any_of({fingerprint.c_str()}),
       provider.ConsumeIntegralInRange<std::uint32_t>(0, components.size()), components.data()};
   *told = provider.ConsumeIntegralInRange(0, 20) == 0 ? nullptr : &manifest;
-  return fuzz::expect_result_or_error([] { Registry({FUZZ_PLUGINS}); });
+  return fuzz::expect_result_or_error([] { Registry({plugins}); });
 }

@@ -27,7 +27,7 @@ Scratch::~Scratch() {
 }
 
 fs::path Scratch::write(const std::string& name, std::string_view bytes) const {
-  const fs::path file = folder_ / name;
+  fs::path file = folder_ / name;
   std::ofstream out(file, std::ios::binary);
   if (!out) {
     fs::create_directories(file.parent_path());

@@ -38,7 +38,7 @@ class Misbehaving final : public gestalt::Solver {
  private:
   /// Never ends; the volatile array keeps the compiler from making a loop of it.
   static int deeper(int n) {  // NOLINT(misc-no-recursion)
-    volatile char stack[4096];
+    volatile char stack[4096] = {};
     stack[std::size_t(n) % sizeof stack] = char(n);
     return n < -1 ? 0 : deeper(n + 1) + stack[0];
   }
