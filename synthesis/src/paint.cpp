@@ -18,12 +18,11 @@ struct Hsv {
 };
 
 cv::Vec3b from_hsv(const Hsv& colour) {
-  const auto [hue, saturation, value] = colour;
-  const double sector = 6 * (hue - std::floor(hue));
+  const double sector = 6 * (colour.hue - std::floor(colour.hue));
   const auto channel = [&](double offset) {
     const double k = std::fmod(offset + sector, 6.0);
     const double dip = std::clamp(std::min(k, 4 - k), 0.0, 1.0);
-    return cv::saturate_cast<uchar>(255 * value * (1 - saturation * dip));
+    return cv::saturate_cast<uchar>(255 * colour.value * (1 - colour.saturation * dip));
   };
   return {channel(1), channel(3), channel(5)};
 }
