@@ -43,6 +43,7 @@ Answer = TypeVar("Answer")
 
 @functools.lru_cache(maxsize=4)
 def _pipeline(config: str | None, overrides: Overrides, components: Components) -> _gestalt.Pipeline:
+    _gestalt.keep_freed_memory()
     return _gestalt.Pipeline(config, list(overrides), components=dict(components), threads=1)
 
 

@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <malloc.h>
 #include <pybind11/pybind11.h>
 
 #include "components.h"
@@ -46,6 +47,13 @@ void bind_camera(py::module_& module) {
       });
 }
 
+/// A frame's images come and go; without this, and where the environment asks for it as Dask does, each one's memory
+/// goes back to the system and is cleared again for the next, which takes as long as the frame itself.
+void keep_freed_memory() {
+  mallopt(M_MMAP_THRESHOLD, 32 << 20);  // bytes; the largest that is taken
+  mallopt(M_TRIM_THRESHOLD, 256 << 20);
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_gestalt, module) {
@@ -58,6 +66,8 @@ PYBIND11_MODULE(_gestalt, module) {
   bind_learning(module);
   module.def(
       "data_directory", [] { return data_directory().string(); }, "Where the installed configs and models are.");
+  module.def("keep_freed_memory", keep_freed_memory,
+             "Lets the process keep up to 256 MiB of freed memory for the next frame, whatever its environment says.");
 }
 
 }  // namespace gestalt::python
