@@ -63,8 +63,9 @@ Body hollow_mug(const Palette& palette, Random& random) {
 Body round_bottle(const Palette& palette, Random& random) {
   const double radius = random.uniform(0.028, 0.045), height = random.uniform(0.15, 0.27);
   const Texture bare = plain(palette.ground);
-  return made_of(bottle(radius, height, radius * random.uniform(0.32, 0.5)),
-                 {print(turn * radius, 0.58 * height, palette, random), bare, bare, plain(palette.accent)});
+  const Texture label = print(turn * radius, 0.58 * height, palette, random);
+  const double neck = radius * random.uniform(0.32, 0.5);
+  return made_of(bottle(radius, height, neck), {label, bare, bare, plain(palette.accent)});
 }
 
 Body pebble(const Palette& palette, Random& random) {

@@ -215,7 +215,8 @@ bool lay_occluded_objects(Tabletop& tabletop, Brands& brands, Random& random) {
   if (!rear_is_cut()) return false;
   return repeat(random.integer(0, 2),
                 [&] {
-                  return tabletop.stand_free(random_body(any_kind(random), brands.next(), random), random, false);
+                  const Palette& other = brands.next();
+                  return tabletop.stand_free(random_body(any_kind(random), other, random), random, false);
                 }) &&
          rear_is_cut();
 }
