@@ -4,7 +4,7 @@
 # What a new user does in a fresh Debian 12 with the packages in /packages; ends with 1 at the first thing that fails.
 set -euo pipefail
 export DEBIAN_FRONTEND=noninteractive LC_ALL=C.UTF-8
-cd /work
+cd /user
 
 step() {
   echo "== $*"
