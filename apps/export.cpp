@@ -60,29 +60,14 @@ struct Object {
   Storage storage;
 };
 
-constexpr std::size_t most_triangles = 5'000'000;  // of a file
-
-Mesh patch_mesh(const Options& options, const StoredResult& result, int patch) {
-  try {
-    return triangulate(result.patches[std::size_t(patch)], options.tolerance / 1000);
-  } catch (const InputError& error) {
-    throw InputError(options.result.string() + ": patches[" + std::to_string(patch) + "]: " + error.what());
-  }
-}
-
 Object reconstruct(const Options& options, const StoredResult& result, const StoredResult::Segment& segment) {
   Object object{segment.label, {}, {}};
-  for (const int patch : segment.patches) {
-    const TrimmedSurface& surface = result.patches[std::size_t(patch)];
-    const Mesh mesh = patch_mesh(options, result, patch);
-    if (object.mesh.triangles.size() + mesh.triangles.size() > most_triangles)
-      throw InputError(options.result.string() + ": segment " + std::to_string(segment.label) + " takes more than " +
-                       std::to_string(most_triangles) + " triangles; allow a larger --tolerance");
-    const int first = int(object.mesh.vertices.size());
-    object.mesh.vertices.insert(object.mesh.vertices.end(), mesh.vertices.begin(), mesh.vertices.end());
-    for (const auto& [a, b, c] : mesh.triangles) object.mesh.triangles.push_back({first + a, first + b, first + c});
-    object.storage.add(surface);
+  try {
+    object.mesh = triangulate(result, segment, options.tolerance / 1000);
+  } catch (const InputError& error) {
+    throw InputError(options.result.string() + ": " + error.what());
   }
+  for (const int patch : segment.patches) object.storage.add(result.patches[std::size_t(patch)]);
   return object;
 }
 

@@ -3,10 +3,10 @@
 
 #include <algorithm>
 #include <iomanip>
+#include <map>
 #include <memory>
 #include <mutex>
 #include <optional>
-#include <set>
 #include <sstream>
 
 #include "command.h"
@@ -35,19 +35,21 @@ int segment(const Options& options) {
   const std::vector<std::filesystem::path> scenes = find_scenes(options.inputs);
   const Segmenter segmenter(with_clouds);
   std::mutex mutex;
-  std::set<std::filesystem::path> written;
-  int code = for_each_scene(scenes, [&](const std::filesystem::path& scene) {
+  std::map<std::filesystem::path, std::filesystem::path> written;  // by scene
+  const int code = for_each_scene(scenes, [&](const std::filesystem::path& scene) {
     const SegmentedScene done = segmenter.segment(scene);
     std::ostringstream line;
     line << done.folder.string() << ": " << done.segments << " segments of " << done.patches << " patches, "
          << std::fixed << std::setprecision(0) << done.milliseconds << " ms";
     const std::lock_guard lock(mutex);
-    written.insert(done.folder);
+    written.emplace(scene, done.folder);
     return line.str();
   });
-  if (viewer && !written.empty())
-    code = std::max(code, viewer->show(std::vector<std::filesystem::path>(written.begin(), written.end())));
-  return code;
+  if (!viewer || written.empty()) return code;
+  std::vector<std::filesystem::path> results;
+  for (const std::filesystem::path& scene : scenes)
+    if (const auto found = written.find(scene); found != written.end()) results.push_back(found->second);
+  return std::max(code, viewer->show(results));
 }
 
 }  // namespace

@@ -61,7 +61,7 @@ void add_segmenter_options(CLI::App& command, SegmenterOptions& options) {
 Segmenter::Segmenter(const SegmenterOptions& options)
     : output_(options.output),
       debug_images_(options.debug_images),
-      also_(options.also),
+      also_(options.also.begin(), options.also.end()),
       loaded_(load_config(options.pipeline)),
       config_(loaded_.tree.to_json(loaded_.registry)),
       pipeline_(loaded_.config, loaded_.registry),

@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <optional>
+#include <set>
 
 #include "gestalt/input.h"
 #include "gestalt/pipeline.h"
@@ -44,7 +45,7 @@ class Segmenter {
  private:
   std::filesystem::path output_;
   bool debug_images_;
-  std::vector<std::string> also_;
+  std::set<std::string> also_;
   LoadedConfig loaded_;
   nlohmann::json config_;  ///< as results tell it
   Pipeline pipeline_;

@@ -55,15 +55,18 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   scratch.write("depth/camera.yaml", camera);
   const std::filesystem::path depth = scratch.write("depth/depth.png", bytes);
   expect_result_or_error([&] { read_scene(depth.parent_path()); });
-  for (const char* name : {"rgb", "label"}) {
-    scratch.write(name + std::string("/camera.yaml"), "width: 4\nheight: 3\nfx: 5\nfy: 5\ncx: 2\ncy: 1\n");
-    const std::filesystem::path image = scratch.write(name + std::string("/") + name + ".png", bytes);
-    static const std::string small = [] {
-      std::vector<std::uint8_t> png;
-      cv::imencode(".png", cv::Mat_<std::uint16_t>(3, 4, std::uint16_t(900)), png);
-      return std::string(png.begin(), png.end());
-    }();
-    scratch.write(name + std::string("/depth.png"), small);
+  static const bool surroundings = [] {
+    std::vector<std::uint8_t> depth_png;
+    cv::imencode(".png", cv::Mat_<std::uint16_t>(3, 4, std::uint16_t(900)), depth_png);
+    for (const std::string name : {"rgb", "label"}) {
+      scratch.write(name + "/camera.yaml", "width: 4\nheight: 3\nfx: 5\nfy: 5\ncx: 2\ncy: 1\n");
+      scratch.write(name + "/depth.png", text_of(depth_png.data(), depth_png.size()));
+    }
+    return true;
+  }();
+  (void)surroundings;
+  for (const std::string name : {"rgb", "label"}) {
+    const std::filesystem::path image = scratch.write(std::filesystem::path(name) / (name + ".png"), bytes);
     expect_result_or_error([&] { read_scene(image.parent_path()); });
   }
   return 0;

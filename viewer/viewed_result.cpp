@@ -59,30 +59,25 @@ void add_points(const Input& input, const std::set<int>& objects, ViewedResult& 
     }
 }
 
-pcl::PolygonMesh object_surfaces(const fs::path& file, const StoredResult& stored) {
+pcl::PolygonMesh object_surfaces(const fs::path& file, const StoredResult& stored) try {
   Cloud vertices;
-  pcl::PolygonMesh mesh;
+  pcl::PolygonMesh surfaces;
   for (const StoredResult::Segment& segment : stored.segments) {
     if (segment.background) continue;
-    for (const int patch : segment.patches) {
-      const auto first = pcl::index_t(vertices.size());
-      Mesh surface;
-      try {
-        surface = triangulate(stored.patches[std::size_t(patch)], tolerance);
-      } catch (const InputError& error) {
-        throw InputError(file.string() + ": patches[" + std::to_string(patch) + "]: " + error.what());
-      }
-      for (const Eigen::Vector3d& vertex : surface.vertices)
-        vertices.push_back(
-            point_of({float(vertex.x()), float(vertex.y()), float(vertex.z())}, segment_colour(segment.label)));
-      for (const auto& [a, b, c] : surface.triangles) {
-        mesh.polygons.emplace_back();
-        mesh.polygons.back().vertices = {first + a, first + b, first + c};
-      }
+    const auto first = pcl::index_t(vertices.size());
+    const Mesh mesh = triangulate(stored, segment, tolerance);
+    for (const Eigen::Vector3d& vertex : mesh.vertices)
+      vertices.push_back(
+          point_of({float(vertex.x()), float(vertex.y()), float(vertex.z())}, segment_colour(segment.label)));
+    for (const auto& [a, b, c] : mesh.triangles) {
+      surfaces.polygons.emplace_back();
+      surfaces.polygons.back().vertices = {first + a, first + b, first + c};
     }
   }
-  pcl::toPCLPointCloud2(vertices, mesh.cloud);
-  return mesh;
+  pcl::toPCLPointCloud2(vertices, surfaces.cloud);
+  return surfaces;
+} catch (const InputError& error) {
+  throw InputError(file.string() + ": " + error.what());
 }
 
 }  // namespace

@@ -82,7 +82,7 @@ class Viewer(unittest.TestCase):
     def test_segment_opens_a_window_that_keys_change_and_close(self):
         other = self.out / "viewed"
         script = """
-          "$1" segment "$2" --output "$3" --view &
+          "$1" segment "$2" --output "$3" --also pcd --view &
           xdotool search --sync --onlyvisible --name "^gestalt: $(basename "$2")$" windowfocus --sync
           for key in m i Next Prior q; do sleep 0.5; xdotool key $key; done
           wait $!"""

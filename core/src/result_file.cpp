@@ -20,6 +20,7 @@ using nlohmann::json;
 namespace {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{256} << 20;  // bytes
+constexpr std::size_t most_triangles = 5'000'000;                   // of a segment's mesh
 constexpr double largest_length = 1e4;                              // m, of a coordinate
 constexpr std::size_t most_vertices = 20000;                        // of the outlines of one patch
 constexpr const char* remedy = "; make it anew with `gestalt segment`";
@@ -211,6 +212,25 @@ json read_result_content(const fs::path& file) {
 StoredResult read_result(const fs::path& file) {
   const json content = read_result_content(file);
   return of_file(file, [&] { return read(content); });
+}
+
+Mesh triangulate(const StoredResult& result, const StoredResult::Segment& segment, double tolerance) {
+  Mesh mesh;
+  for (const int patch : segment.patches) {
+    Mesh surface;
+    try {
+      surface = triangulate(result.patches[std::size_t(patch)], tolerance);
+    } catch (const InputError& error) {
+      throw InputError("patches[" + std::to_string(patch) + "]: " + error.what());
+    }
+    if (mesh.triangles.size() + surface.triangles.size() > most_triangles)
+      throw InputError("segment " + std::to_string(segment.label) + " takes more than " +
+                       std::to_string(most_triangles) + " triangles; allow a larger tolerance");
+    const int first = int(mesh.vertices.size());
+    mesh.vertices.insert(mesh.vertices.end(), surface.vertices.begin(), surface.vertices.end());
+    for (const auto& [a, b, c] : surface.triangles) mesh.triangles.push_back({first + a, first + b, first + c});
+  }
+  return mesh;
 }
 
 }  // namespace gestalt

@@ -404,6 +404,10 @@ class Also(FormatsTest):
         self.run_gestalt("segment", DEMO, "--also", "pcd,ply,coco", "--output", self.work)
         self.folder = self.work / DEMO.name
 
+    def test_a_kind_may_be_named_twice(self):
+        self.run_gestalt("segment", DEMO, "--also", "pcd,pcd", "--output", self.work / "twice")
+        self.assertEqual(read(self.work / "twice" / DEMO.name, "labels.png").shape, (480, 640))
+
     def test_clouds_have_the_labels(self):
         labels = read(self.folder, "labels.png")
         data = (self.folder / "labelled.pcd").read_bytes().split(b"DATA binary\n", 1)[1]

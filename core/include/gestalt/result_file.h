@@ -29,6 +29,10 @@ struct StoredResult {
 /// InputError naming the file, the place in it, what is wrong there and the remedy.
 GESTALT_EXPORT StoredResult read_result(const std::filesystem::path& file);
 
+/// The surfaces of a segment's patches as one mesh, as triangulate() makes those of one (tolerance in m). Throws
+/// InputError naming the patch, and for more than five million triangles.
+GESTALT_EXPORT Mesh triangulate(const StoredResult& result, const StoredResult::Segment& segment, double tolerance);
+
 /// The content of a result.json: an object of this format and version; nothing else in it is checked. Throws InputError
 /// as read_result() does.
 GESTALT_EXPORT nlohmann::json read_result_content(const std::filesystem::path& file);
