@@ -17,7 +17,10 @@ class Aside {
   ~Aside() {
     if (waited_) return;
     group_.cancel();
-    arena_.execute([&] { group_.wait(); });
+    try {
+      arena_.execute([&] { group_.wait(); });
+    } catch (...) {  // whoever does not wait is on the way out with an exception of its own
+    }
   }
   Aside(const Aside&) = delete;
   Aside& operator=(const Aside&) = delete;

@@ -8,7 +8,9 @@
 #include <tbb/parallel_for.h>
 
 #include <atomic>
+#include <chrono>
 #include <stdexcept>
+#include <thread>
 
 namespace gestalt {
 namespace {
@@ -48,6 +50,21 @@ TEST(Aside, DoesNotOutliveWhatItUses) {
     throw std::runtime_error("the caller fails");
   } catch (const std::runtime_error&) {
     EXPECT_EQ(running, 0);
+  }
+}
+
+TEST(Aside, WhoFailsWithItsCallerLeavesTheCallersError) {
+  std::atomic<bool> begun = false;
+  try {
+    const Aside aside([&] {
+      begun = true;
+      throw std::logic_error("that of the work");
+    });
+    // Where no thread is idle the work is not begun before it is cancelled.
+    for (int i = 0; i < 1000 && !begun; ++i) std::this_thread::sleep_for(std::chrono::milliseconds(1));
+    throw std::runtime_error("that of the caller");
+  } catch (const std::runtime_error& error) {
+    EXPECT_STREQ(error.what(), "that of the caller");
   }
 }
 
