@@ -6,6 +6,7 @@
 #include <atomic>
 #include <mutex>
 #include <set>
+#include <vector>
 
 #include "gestalt/running_component.h"
 
@@ -15,6 +16,46 @@ namespace {
 
 thread_local ComponentName running = nullptr;
 std::atomic<ComponentName> begun_last = nullptr;
+
+/// What a thread works for, where other threads see it.
+class Place {
+ public:
+  Place() {
+    const std::lock_guard lock(mutex());
+    all().insert(this);
+  }
+  ~Place() {
+    const std::lock_guard lock(mutex());
+    all().erase(this);
+  }
+  Place(const Place&) = delete;
+  Place& operator=(const Place&) = delete;
+
+  void set(ComponentName name) { name_.store(name, std::memory_order_relaxed); }
+
+  static std::vector<ComponentName> taken() {
+    const std::lock_guard lock(mutex());
+    std::set<ComponentName> names;
+    for (const Place* place : all())
+      if (const ComponentName name = place->name_.load(std::memory_order_relaxed)) names.insert(name);
+    return {names.begin(), names.end()};
+  }
+
+ private:
+  // Threads may end after static objects have.
+  static std::mutex& mutex() {
+    static auto& mutex = *new std::mutex;
+    return mutex;
+  }
+  static std::set<const Place*>& all() {
+    static auto& all = *new std::set<const Place*>;
+    return all;
+  }
+
+  std::atomic<ComponentName> name_ = nullptr;
+};
+
+thread_local Place place;
 
 }  // namespace
 
@@ -27,11 +68,17 @@ ComponentName component_name(const std::string& kind, const std::string& name) {
 
 RunningComponent::RunningComponent(ComponentName name) noexcept : before_(running) {
   running = name;
+  place.set(name);
   begun_last.store(name, std::memory_order_relaxed);
 }
 
-RunningComponent::~RunningComponent() { running = before_; }
+RunningComponent::~RunningComponent() {
+  running = before_;
+  place.set(before_);
+}
 
 const char* running_component() noexcept { return running ? running : begun_last.load(std::memory_order_relaxed); }
+
+std::vector<const char*> running_components() { return Place::taken(); }
 
 }  // namespace gestalt

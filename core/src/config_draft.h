@@ -53,6 +53,7 @@ struct Draft {
 
   std::vector<DirectoryDraft> plugin_directories;
   std::optional<Node> levels;
+  std::optional<Node> time_budget;
   std::optional<Node> model;
   Settings sensor;
   ComponentDraft clusterer;

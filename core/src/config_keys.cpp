@@ -10,6 +10,17 @@ Parameter levels_declaration() {
           "",       "levels that group patches"};
 }
 
+Parameter time_budget_declaration() {
+  return {"time_budget",
+          Parameter::Type::integer,
+          std::int64_t{0},
+          0,
+          86'400'000,
+          {},
+          "ms",
+          "a frame that takes longer ends with an error; 0: no limit"};
+}
+
 Parameter minimum_size_declaration(Level level) {
   return {"minimum_size",
           Parameter::Type::integer,

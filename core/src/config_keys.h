@@ -15,6 +15,7 @@ namespace gestalt::config {
 inline constexpr const char* both_levels = "structural+assembly";
 
 Parameter levels_declaration();
+Parameter time_budget_declaration();
 Parameter minimum_size_declaration(Level level);
 Parameter negatives_declaration();
 
@@ -38,6 +39,7 @@ auto config_keys(Make& make, Draft& draft) {
                        "Searched for plugins before GESTALT_PLUGIN_PATH and the installation, relative to this file",
                        draft.plugin_directories),
       make.value(levels_declaration(), draft.levels),
+      make.value(time_budget_declaration(), draft.time_budget),
       make.file("model", "Trained model: beside this file, else among the installed ones; none: no model", draft.model),
       make.settings("sensor", "The depth camera's noise", SensorParams::parameters().declarations(), draft.sensor),
       make.section("signal", "Signal level: pixels to patches",

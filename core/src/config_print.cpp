@@ -41,6 +41,7 @@ class Yaml {
     text_ = "schema_version: 1\n";
     write_directories();
     write_value(0, "levels", "levels", levels(config));
+    write_value(0, "time_budget", "time_budget", std::to_string(config.time_budget));
     write_value(0, "model", "model", config.model.empty() ? "none" : quoted(config.model.string()));
     write_values(0, "sensor", "sensor", config.sensor);
     section(0, "signal");
@@ -150,6 +151,7 @@ json to_json(const Resolution& resolution) {
   json values{
       {"schema_version", 1},
       {"levels", levels(config)},
+      {"time_budget", config.time_budget},
       {"model", config.model.empty() ? json() : json(config.model.string())},
       {"sensor", parameter_values(config.sensor)},
       {"plugin_directories", directories},

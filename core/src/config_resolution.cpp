@@ -32,6 +32,8 @@ class Resolver {
     }
     Config& config = result_.config;
     config.with_assembly = std::get<std::string>(value(levels_declaration(), draft_.levels, "levels")) == both_levels;
+    config.time_budget =
+        int(std::get<std::int64_t>(value(time_budget_declaration(), draft_.time_budget, "time_budget")));
     config.model = model();
     config.sensor = values(SensorParams::parameters().declarations(), draft_.sensor, "sensor");
     config.clusterer = single("clusterer", "signal.clusterer", draft_.clusterer);

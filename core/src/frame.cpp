@@ -47,7 +47,7 @@ Frame make_frame(std::string name, cv::Mat colour, cv::Mat_<float> depth, const 
   if (!colour.empty() && colour.type() != CV_8UC3) throw InputError(name + ": colour must have 3 channels of 8 bits");
   check_camera(name, camera, depth.size());
 
-  Frame frame{std::move(name), std::move(colour), depth.clone(), cv::Mat_<cv::Vec3f>(depth.size()), camera, {}};
+  Frame frame{std::move(name), std::move(colour), depth.clone(), cv::Mat_<cv::Vec3f>(depth.size()), camera, {}, {}};
   const auto inverse_fx = float(1 / camera.fx), inverse_fy = float(1 / camera.fy);
   const auto cx = float(camera.cx), cy = float(camera.cy);
   bool any = false;

@@ -20,6 +20,7 @@ ConfigError::~ConfigError() = default;
 PluginError::~PluginError() = default;
 ModelError::~ModelError() = default;
 InputError::~InputError() = default;
+TimeError::~TimeError() = default;
 OutputError::~OutputError() = default;
 
 Clusterer::~Clusterer() = default;

@@ -6,6 +6,8 @@
 #include <unistd.h>
 
 #include <cerrno>
+#include <charconv>
+#include <csignal>
 #include <cstring>
 #include <deque>
 #include <fstream>
@@ -18,11 +20,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
+constexpr std::string_view temporary_mark = ".tmp";
+
+/// The process whose temporary file this is; 0: it is none.
+pid_t writer_of(const std::string& name) {
+  const std::size_t mark = name.rfind(temporary_mark);
+  if (mark == std::string::npos) return 0;
+  pid_t process = 0;
+  const char* const end = name.data() + name.size();
+  const auto [rest, error] = std::from_chars(name.data() + mark + temporary_mark.size(), end, process);
+  return error == std::errc{} && rest == end ? process : 0;
+}
+
 /// A written file that still has its temporary name, and is removed if it keeps that.
 class StagedFile {
  public:
   StagedFile(const fs::path& file, std::string_view bytes) : file_(file), target_(target()), temporary_(target_) {
-    temporary_ += ".tmp" + std::to_string(::getpid());
+    temporary_ += temporary_mark;
+    temporary_ += std::to_string(::getpid());
     errno = 0;
     std::ofstream out(temporary_, std::ios::binary);
     out.write(bytes.data(), std::streamsize(bytes.size()));
@@ -35,6 +50,13 @@ class StagedFile {
   StagedFile(const StagedFile&) = delete;
   StagedFile& operator=(const StagedFile&) = delete;
   ~StagedFile() { remove(); }
+
+  /// Removes what has the final name.
+  void retract() const {
+    std::error_code error;
+    fs::remove(target_, error);
+    if (error) fail(error.message() + "; choose another --output");
+  }
 
   void publish() {
     std::error_code error;
@@ -80,6 +102,25 @@ void write_files(const std::vector<OutputFile>& files) {
   std::deque<StagedFile> staged;
   for (const auto& [file, bytes] : files) staged.emplace_back(file, bytes);
   for (StagedFile& file : staged) file.publish();
+}
+
+void write_files(const std::vector<OutputFile>& files, const OutputFile& last) {
+  std::deque<StagedFile> staged;
+  for (const auto& [file, bytes] : files) staged.emplace_back(file, bytes);
+  StagedFile staged_last(last.file, last.bytes);
+  staged_last.retract();
+  for (StagedFile& file : staged) file.publish();
+  staged_last.publish();
+}
+
+void remove_abandoned(const fs::path& folder) {
+  std::error_code error;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const pid_t writer = writer_of(entry->path().filename().string());
+    std::error_code ignored;
+    if (writer > 0 && ::kill(writer, 0) != 0 && errno == ESRCH) fs::remove(entry->path(), ignored);
+  }
 }
 
 void write_png(const fs::path& file, const cv::Mat& image) { write_file(file, encode_png(image)); }

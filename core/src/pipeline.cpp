@@ -37,20 +37,22 @@ class Stopwatch {
 
 /// Puts the pairs of some rows of a table into the graph.
 void add_edges(Graph& graph, const RelationTable& table, const std::vector<std::size_t>& rows, const Model& model,
-               Level level) {
+               Level level, const Deadline& deadline) {
   std::vector<double> values;
   values.reserve(rows.size() * table.names.size());
   for (const std::size_t row : rows) values.insert(values.end(), table.row(row).begin(), table.row(row).end());
   const ComponentName classifier = component_name("classifier", model.classifier);
   const std::vector<double> p = call_component(classifier, [&] { return model.probabilities(values); });
+  deadline.require(classifier);
   require_probabilities(classifier, p);
   for (std::size_t i = 0; i < rows.size(); ++i)
     graph.edges.push_back({table.pairs[rows[i]].a, table.pairs[rows[i]].b, p[i], level});
 }
 
-std::vector<int> cut(const Solver& solver, const std::string& plugin, const Graph& graph) {
+std::vector<int> cut(const Solver& solver, const std::string& plugin, const Graph& graph, const Deadline& deadline) {
   const ComponentName name = component_name("solver", plugin);
   std::vector<int> groups = call_component(name, [&] { return solver.solve(graph); });
+  deadline.require(name);
   require_groups(name, groups, graph.sizes.size());
   return groups;
 }
@@ -168,10 +170,13 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
             "' needs one; add rgb.png, or use a config without colour relations and a model trained for it");
   Frame frame = given;  // shares the images
   frame.noise = noise_;
+  frame.deadline = Deadline::within(config_.time_budget, 0);
   const Images images(frame);
   Aside observations([&] {
     tbb::parallel_for_each(relations_, [&](const NamedRelation& named) {
-      call_component(component_name("relation", named.name), [&] { images.observation(*named.relation); });
+      const ComponentName name = component_name("relation", named.name);
+      call_component(name, [&] { images.observation(*named.relation); });
+      frame.deadline.require(name);
     });
   });
   Percept percept;
@@ -179,17 +184,20 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
     const Stopwatch watch(percept.times.signal);
     const ComponentName name = component_name("clusterer", config_.clusterer.plugin);
     percept.patches = call_component(name, [&] { return clusterer_->cluster(frame); });
+    frame.deadline.require(name);
     require_patches(name, percept.patches, frame);
   }
   {
     const Stopwatch watch(percept.times.primitive);
-    percept.surfaces = call_component(name_of_fitters(config_.fitters), [&] {
-      return model_surfaces(frame, percept.patches, fitters_, surface_modelling_);
-    });
+    const ComponentName name = name_of_fitters(config_.fitters);
+    percept.surfaces =
+        call_component(name, [&] { return model_surfaces(frame, percept.patches, fitters_, surface_modelling_); });
+    frame.deadline.require(name);
   }
   {
     const Stopwatch watch(percept.times.decision);
     percept.roles = find_roles(frame, percept.surfaces, figure_ground_);
+    frame.deadline.require("the separation of figure and ground");
   }
   percept.pixel_density = pixel_density(frame.camera);
   std::optional<Measures> measures;
@@ -209,7 +217,7 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
   return percept;
 }
 
-Graph Pipeline::structural_graph(const Percept& percept, const Model& model) const {
+Graph Pipeline::structural_graph(const Percept& percept, const Model& model, const Deadline& deadline) const {
   Graph graph;
   for (const Surface& surface : percept.surfaces.surfaces) graph.sizes.push_back(int(surface.pixels.size()));
   std::vector<std::size_t> rows;
@@ -217,7 +225,7 @@ Graph Pipeline::structural_graph(const Percept& percept, const Model& model) con
     const auto [a, b] = percept.structural.pairs[i];
     if (!figure_ground_.separate || percept.roles[std::size_t(a)] == percept.roles[std::size_t(b)]) rows.push_back(i);
   }
-  add_edges(graph, percept.structural, rows, model, Level::structural);
+  add_edges(graph, percept.structural, rows, model, Level::structural, deadline);
   return graph;
 }
 
@@ -233,31 +241,32 @@ std::vector<std::size_t> assembly_rows(const Percept& percept, const std::vector
 }
 
 std::vector<int> Pipeline::structural_groups(const Percept& percept, const Model& model) const {
-  return cut(*solver_, config_.solver.plugin, structural_graph(percept, model));
+  return cut(*solver_, config_.solver.plugin, structural_graph(percept, model, {}), {});
 }
 
 Segmentation Pipeline::decide(const Percept& percept, const Models& models, LevelTimes* times) const {
   LevelTimes ignored;
   LevelTimes& spent = times ? *times : ignored;
+  const Deadline deadline = Deadline::within(config_.time_budget, percept.times.total());
   Graph graph;
   {
     const Stopwatch watch(spent.structural);
-    graph = structural_graph(percept, models.structural);
+    graph = structural_graph(percept, models.structural, deadline);
   }
   std::vector<int> groups;
   {
     const Stopwatch watch(spent.decision);
-    groups = cut(*solver_, config_.solver.plugin, graph);
+    groups = cut(*solver_, config_.solver.plugin, graph, deadline);
   }
   if (assembly_) {
     {
       const Stopwatch watch(spent.assembly);
-      add_edges(graph, percept.assembly, assembly_rows(percept, groups), *models.assembly, Level::assembly);
+      add_edges(graph, percept.assembly, assembly_rows(percept, groups), *models.assembly, Level::assembly, deadline);
       std::sort(graph.edges.begin(), graph.edges.end(),
                 [](const Edge& x, const Edge& y) { return std::pair(x.a, x.b) < std::pair(y.a, y.b); });
     }
     const Stopwatch watch(spent.decision);
-    groups = cut(*solver_, config_.solver.plugin, graph);
+    groups = cut(*solver_, config_.solver.plugin, graph, deadline);
   }
   return assemble(percept.surfaces, percept.roles, std::move(graph), groups);
 }

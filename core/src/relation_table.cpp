@@ -96,7 +96,8 @@ std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, double 
   return pairs;
 }
 
-Measures::Measures(const Scene& scene, const std::vector<NamedRelation>& relations) {
+Measures::Measures(const Scene& scene, const std::vector<NamedRelation>& relations)
+    : deadline_(scene.frame().deadline) {
   std::map<const Relation*, ComponentName> names;
   for (const NamedRelation& named : relations) {
     measures_.try_emplace(named.relation.get());
@@ -105,6 +106,7 @@ Measures::Measures(const Scene& scene, const std::vector<NamedRelation>& relatio
   tbb::parallel_for_each(measures_, [&](auto& entry) {
     const ComponentName name = names.at(entry.first);
     entry.second = call_component(name, [&] { return entry.first->bind(scene); });
+    deadline_.require(name);
     if (!entry.second) throw PluginError(std::string(name) + " gave no measure; report this to its author");
   });
 }
@@ -131,6 +133,7 @@ RelationTable relate(const std::vector<SurfacePair>& pairs, const std::vector<Na
       const std::size_t width = relations[r].relation->values().size();
       own.assign(width * some.size(), 0);
       call_component(names[r], [&] { measures.of(*relations[r].relation).measure(some, own); });
+      measures.deadline().require(names[r]);
       for (std::size_t i = 0; i < some.size(); ++i) {
         const std::span<const double> row(own.data() + i * width, width);
         check_values(relations[r], row);

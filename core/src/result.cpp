@@ -155,13 +155,13 @@ void write_result(const std::filesystem::path& folder, const Input& input, const
                                 {folder / "overlay.png", encode_png(draw_segments(input.frame, segmentation))},
                                 {folder / "patches.png", encode_png(draw_patches(percept.surfaces.labels))}};
   if (!input.cloud.empty()) files.push_back({folder / "labels.pcd", point_labels(input, segmentation.labels)});
+  std::move(more.begin(), more.end(), std::back_inserter(files));
   // A scene's name comes from a path, which may be no UTF-8.
-  files.push_back(
+  write_files(
+      files,
       {folder / "result.json",
        result_json(input, percept, segmentation, times, config).dump(1, ' ', false, Json::error_handler_t::replace) +
            "\n"});
-  std::move(more.begin(), more.end(), std::back_inserter(files));
-  write_files(files);
 }
 
 }  // namespace gestalt

@@ -42,12 +42,14 @@ class SurfaceModeller {
   SurfaceModeller(const Frame& frame, const std::vector<std::shared_ptr<const Fitter>>& fitters,
                   const SurfaceModellingParams& params)
       : noise_(frame.noise),
+        deadline_(frame.deadline),
         largest_(params.largest_solid_angle * frame.camera.fx * frame.camera.fy),
         fitters_(fitters),
         params_(params) {}
 
   /// Chooses the fitter with the largest savings.
   void choose_model(Candidate& patch) const {
+    require_time();
     const double size = double(patch.points.size());
     double best = -std::numeric_limits<double>::infinity();
     patch.models.resize(fitters_.size());
@@ -70,6 +72,7 @@ class SurfaceModeller {
   /// size of the smaller patch: normalised by the merged size, a table would swallow every small patch beside it, for
   /// however badly it explains that patch, the share of its points in the whole is small.
   Merger merge(const Candidate& a, const Candidate& b) const {
+    require_time();
     const auto size = a.points.size() + b.points.size();
     const double normalisation =
         params_.normalisation == "merged" ? double(size) : double(std::min(a.points.size(), b.points.size()));
@@ -118,6 +121,8 @@ class SurfaceModeller {
   }
 
  private:
+  void require_time() const { deadline_.require("the primitive level"); }
+
   double cost(std::size_t fitter) const { return params_.kappa_1 * fitters_[fitter]->parameter_count(); }
 
   bool admits(std::size_t fitter, std::size_t size) const { return fitter == 0 || double(size) <= largest_; }
@@ -146,6 +151,7 @@ class SurfaceModeller {
 
   static constexpr std::size_t error_samples = 500;
   const DepthNoise noise_;
+  const Deadline deadline_;
   const double largest_;  // pixels
   const std::vector<std::shared_ptr<const Fitter>>& fitters_;
   const SurfaceModellingParams& params_;

@@ -21,6 +21,7 @@ void bind_errors(py::module_& module) {
   py::register_exception<PluginError>(module, "PluginError", base).doc() = "A component that is missing or fails.";
   py::register_exception<ModelError>(module, "ModelError", base).doc() = "A model that is missing or does not fit.";
   py::register_exception<InputError>(module, "InputError", base).doc() = "A scene or image that cannot be used.";
+  py::register_exception<TimeError>(module, "TimeError", base).doc() = "A frame that took longer than its time budget.";
   py::register_exception<OutputError>(module, "OutputError", base).doc() = "A file that cannot be written.";
 }
 

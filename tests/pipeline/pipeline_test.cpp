@@ -107,6 +107,47 @@ TEST(DefaultPipeline, MayBeUsedFromManyThreadsAtOnce) {
   for (auto& outcome : together) expect_equal(alone, outcome.get());
 }
 
+TEST(DefaultPipeline, EightAtOnceGiveWhatEachGivesAlone) {
+  constexpr int count = 8;
+  std::vector<Outcome> alone;
+  std::vector<Frame> frames;
+  for (int i = 0; i < count; ++i) {
+    const DefaultPipeline gestalt;
+    frames.push_back(scene(i % 2 ? Category::complex_scene : Category::cylindric_objects, i / 2).frame);
+    alone.push_back(run(gestalt.pipeline, gestalt.pipeline.load_models(), frames.back()));
+  }
+  std::vector<std::future<Outcome>> together;
+  for (int i = 0; i < count; ++i)
+    together.push_back(std::async(std::launch::async, [&frames, i] {
+      const DefaultPipeline gestalt;
+      return run(gestalt.pipeline, gestalt.pipeline.load_models(), frames[std::size_t(i)]);
+    }));
+  for (int i = 0; i < count; ++i) expect_equal(alone[std::size_t(i)], together[std::size_t(i)].get());
+}
+
+TEST(DefaultPipeline, EndsAFrameWhoseTimeIsOver) {
+  const Frame frame = scene(Category::mixed_objects).frame;
+  const DefaultPipeline hasty({"time_budget=1"});
+  try {
+    hasty.pipeline.perceive(frame);
+    FAIL() << "a frame of 640x480 takes longer than a millisecond";
+  } catch (const TimeError& error) {
+    EXPECT_NE(std::string(error.what()).find("time_budget of 1 ms"), std::string::npos) << error.what();
+  }
+  const DefaultPipeline patient({"time_budget=60000"}), unlimited;
+  const Models models = unlimited.pipeline.load_models();
+  expect_equal(run(patient.pipeline, models, frame), run(unlimited.pipeline, models, frame));
+}
+
+TEST(DefaultPipeline, CountsTheTimeOfPerceptionToThatOfTheDecision) {
+  const DefaultPipeline gestalt({"time_budget=60000"});
+  const Models models = gestalt.pipeline.load_models();
+  Percept percept = gestalt.pipeline.perceive(scene(Category::boxes).frame);
+  EXPECT_NO_THROW(gestalt.pipeline.decide(percept, models));
+  percept.times.signal = 60000;
+  EXPECT_THROW(gestalt.pipeline.decide(percept, models), TimeError);
+}
+
 TEST(DefaultPipeline, FindsNoPairOnASinglePlane) {
   const DefaultPipeline gestalt;
   const auto wall = test::render({{{0, 0, 640, 480}, {0, 0, 1}, {0, 0, -1}}});

@@ -36,6 +36,7 @@ struct LevelConfig {
 /// A resolved, validated config.
 struct Config {
   bool with_assembly = false;            ///< levels: structural+assembly
+  int time_budget = 0;                   ///< milliseconds that a frame may take; 0: any
   std::filesystem::path model;           ///< resolved; empty when the config names none
   ParameterValues sensor;                ///< of SensorParams
   ComponentConfig clusterer;             ///< signal.clusterer

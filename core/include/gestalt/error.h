@@ -44,6 +44,13 @@ class GESTALT_EXPORT InputError : public Error {
   ~InputError() override;
 };
 
+/// A frame took longer than the config's time_budget (exit code 1).
+class GESTALT_EXPORT TimeError : public Error {
+ public:
+  using Error::Error;
+  ~TimeError() override;
+};
+
 /// A result cannot be written (exit code 1).
 class GESTALT_EXPORT OutputError : public Error {
  public:

@@ -6,6 +6,7 @@
 #include <opencv2/core.hpp>
 #include <string>
 
+#include "gestalt/deadline.h"
 #include "gestalt/depth_noise.h"
 #include "gestalt/export.h"
 
@@ -32,7 +33,8 @@ struct Frame {
   cv::Mat_<float> depth;       ///< metres along the optical axis; 0 = no measurement, never NaN or negative
   cv::Mat_<cv::Vec3f> points;  ///< metres, camera frame; (0, 0, 0) where depth is 0
   Camera camera;
-  DepthNoise noise;  ///< of depth; the config's sensor, set by the pipeline
+  DepthNoise noise;     ///< of depth; the config's sensor, set by the pipeline
+  Deadline deadline{};  ///< set by the pipeline; a component whose loops may be long asks it to require() more time
 
   int width() const { return depth.cols; }
   int height() const { return depth.rows; }

@@ -33,4 +33,12 @@ struct OutputFile {
 /// write_file for files that belong together: none gets its final name before all are written.
 GESTALT_EXPORT void write_files(const std::vector<OutputFile>& files);
 
+/// The same with a file that tells that all others are there: the old one is removed before any other gets its final
+/// name, the new one gets its own last. So the others belong to it wherever it is found, even when the process was
+/// killed.
+GESTALT_EXPORT void write_files(const std::vector<OutputFile>& files, const OutputFile& last);
+
+/// Removes the temporary files that processes which were killed have left in a folder; nothing where there is none.
+GESTALT_EXPORT void remove_abandoned(const std::filesystem::path& folder);
+
 }  // namespace gestalt

@@ -68,7 +68,8 @@ class GESTALT_EXPORT Pipeline {
   bool trained_otherwise(const Models& models) const;
 
   /// Signal and primitive level, and the relations of all levels. Throws InputError when a relation needs colour and
-  /// the frame has none. A TBB group in which this is called does not cancel it.
+  /// the frame has none, TimeError when the frame's time budget is over. A TBB group in which this is called does not
+  /// cancel it.
   Percept perceive(const Frame& frame) const;
 
   /// Group of each surface by the structural level alone, numbered from 0. model must be as expected_model() says.
@@ -76,6 +77,7 @@ class GESTALT_EXPORT Pipeline {
 
   /// Classification of the pairs and the global decision. At the assembly level only pairs of different structural
   /// groups count. models must be as expected_model() says, as load_models() ensures. The time spent is added to times.
+  /// Throws TimeError when it and that of perceive() exceed the time budget.
   Segmentation decide(const Percept& percept, const Models& models, LevelTimes* times = nullptr) const;
 
  private:
@@ -99,7 +101,7 @@ class GESTALT_EXPORT Pipeline {
   std::shared_ptr<const Solver> solver_;
   FigureGroundParams figure_ground_;
   Percept perceive_uncancelled(const Frame& frame) const;
-  Graph structural_graph(const Percept& percept, const Model& model) const;
+  Graph structural_graph(const Percept& percept, const Model& model, const Deadline& deadline) const;
 };
 
 }  // namespace gestalt

@@ -52,14 +52,18 @@ class GESTALT_EXPORT Measures {
   /// Binds the relations in parallel. The scene outlives this.
   Measures(const Scene& scene, const std::vector<NamedRelation>& relations);
 
+  /// That of the scene's frame.
+  const Deadline& deadline() const { return deadline_; }
+
   const Measure& of(const Relation& relation) const { return *measures_.at(&relation); }
 
  private:
+  Deadline deadline_;
   std::map<const Relation*, std::unique_ptr<Measure>> measures_;
 };
 
 /// The values of all relations for the pairs; measures must know them. Throws PluginError naming the relation when a
-/// value is not finite or out of its declared range.
+/// value is not finite or out of its declared range, TimeError when the frame's time is over.
 GESTALT_EXPORT RelationTable relate(const std::vector<SurfacePair>& pairs, const std::vector<NamedRelation>& relations,
                                     const Measures& measures);
 

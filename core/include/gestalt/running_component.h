@@ -2,6 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <vector>
+
 #include "gestalt/export.h"
 
 namespace gestalt {
@@ -10,5 +12,8 @@ namespace gestalt {
 /// last; null before the first. For whoever reports a crash: may be called in a signal handler, and the text lives as
 /// long as the process.
 GESTALT_EXPORT const char* running_component() noexcept;
+
+/// All that are at work at the moment, each once, in no order. Takes a lock: not for signal handlers.
+GESTALT_EXPORT std::vector<const char*> running_components();
 
 }  // namespace gestalt
