@@ -7,8 +7,12 @@
 
 #include <array>
 #include <csignal>
+#include <cstdlib>
 #include <cstring>
+#include <exception>
+#include <new>
 
+#include "command.h"
 #include "gestalt/running_component.h"
 
 namespace gestalt::app {
@@ -34,6 +38,8 @@ const char* name_of(int signal) {
   }
 }
 
+std::terminate_handler otherwise = nullptr;
+
 /// Only what a signal handler may call.
 void report(int signal) {
   say("gestalt: error: ");
@@ -47,9 +53,23 @@ void report(int signal) {
   raise(signal);  // the handler is taken back when it is called, so that this ends the process as the fault would
 }
 
+/// Memory may end where no exception may leave, as in a destructor of a library.
+[[noreturn]] void report_lack_of_memory() {
+  try {
+    if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
+  } catch (const std::bad_alloc&) {
+    say("gestalt: error: there is no more memory; allow the process more\n");
+    _exit(run_failed);
+  } catch (...) {
+  }
+  otherwise();
+  std::abort();
+}
+
 }  // namespace
 
 void report_crashes() {
+  otherwise = std::set_terminate(report_lack_of_memory);
   static std::array<char, 65536> stack;  // for the fault of a stack that is full
   const stack_t other{stack.data(), 0, stack.size()};
   sigaltstack(&other, nullptr);

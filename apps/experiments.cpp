@@ -9,6 +9,7 @@
 
 #include "command.h"
 #include "gestalt/error.h"
+#include "gestalt/output_file.h"
 #include "progress_bar.h"
 
 namespace gestalt::app {
@@ -17,6 +18,7 @@ namespace fs = std::filesystem;
 
 std::vector<ExperimentOutcome> run_with_progress(const std::vector<Variant>& variants, const Registry& registry,
                                                  const Protocol& protocol, const fs::path& store) {
+  for (const fs::path& folder : {store, store.parent_path()}) remove_abandoned(folder);
   const ProgressBar bar(variants.size());
   const ExperimentEvents events{
       [&](std::size_t done, std::size_t, const std::string& variant) { bar.show(done, variant); },

@@ -9,15 +9,15 @@ namespace gestalt::app {
 
 namespace {
 
-std::atomic<bool> signalled{false};
-static_assert(std::atomic<bool>::is_always_lock_free, "a signal handler may not lock");
+std::atomic<int> signalled{0};
+static_assert(std::atomic<int>::is_always_lock_free, "a signal handler may not lock");
 
 }  // namespace
 
 Interruption::Interruption() {
-  signalled = false;
+  signalled = 0;
   struct sigaction action {};
-  action.sa_handler = [](int) { signalled = true; };
+  action.sa_handler = [](int signal) { signalled = signal; };
   action.sa_flags = int(SA_RESETHAND | SA_RESTART);
   ::sigaction(SIGINT, &action, &interrupt_before_);
   ::sigaction(SIGTERM, &action, &terminate_before_);
@@ -28,6 +28,6 @@ Interruption::~Interruption() {
   ::sigaction(SIGTERM, &terminate_before_, nullptr);
 }
 
-bool Interruption::requested() const { return signalled; }
+int Interruption::signal() const { return signalled; }
 
 }  // namespace gestalt::app

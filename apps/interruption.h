@@ -16,7 +16,10 @@ class Interruption {
   Interruption& operator=(const Interruption&) = delete;
 
   /// Whether a signal has come. From any thread.
-  bool requested() const;
+  bool requested() const { return signal() != 0; }
+
+  /// The signal that has come; 0: none.
+  int signal() const;
 
  private:
   struct sigaction interrupt_before_ {};

@@ -38,7 +38,8 @@ int report(const std::exception& error, int code) {
 }
 
 int run_command(int argc, char** argv) {
-  std::signal(SIGPIPE, SIG_IGN);  // a reader that has gone is a failed write, not a sudden death
+  // A reader that has gone, or a limit on the size of files, is a failed write, not a sudden death.
+  for (const int signal : {SIGPIPE, SIGXFSZ}) std::signal(signal, SIG_IGN);
   using namespace gestalt::app;
   report_crashes();
   CLI::App app{"Segments unknown objects in RGB-D frames of cluttered scenes by learned perceptual grouping",

@@ -11,6 +11,7 @@
 
 #include "command.h"
 #include "gestalt/error.h"
+#include "interruption.h"
 #include "progress_bar.h"
 
 namespace gestalt::app {
@@ -54,7 +55,11 @@ std::string failure_message(const std::filesystem::path& scene, const std::excep
 }
 
 int for_each_scene(const std::vector<std::filesystem::path>& scenes, const SceneWork& work) {
-  if (scenes.size() == 1) return only(scenes[0], work);
+  const Interruption interruption;
+  const auto exit_code = [&](int otherwise) {
+    return interruption.requested() ? 128 + interruption.signal() : otherwise;
+  };
+  if (scenes.size() == 1) return exit_code(only(scenes[0], work));
   const ProgressBar bar(scenes.size());
   std::size_t next = 0, reported = 0, failed = 0;
   const auto show = [&] {
@@ -76,14 +81,17 @@ int for_each_scene(const std::vector<std::filesystem::path>& scenes, const Scene
   const std::size_t started = 8 * tbb::global_control::active_value(tbb::global_control::max_allowed_parallelism);
   tbb::parallel_pipeline(
       started, tbb::make_filter<void, std::size_t>(tbb::filter_mode::serial_in_order, [&](tbb::flow_control& control) {
-                 if (next == scenes.size()) control.stop();
+                 if (next == scenes.size() || interruption.requested()) control.stop();
                  return next++;
                }) & tbb::make_filter<std::size_t, Outcome>(tbb::filter_mode::parallel, [&](std::size_t i) {
                  return outcome_of(scenes[i], work);
                }) & tbb::make_filter<Outcome, void>(tbb::filter_mode::serial_in_order, report));
   bar.clear();
   if (failed > 0) std::cerr << "gestalt: " << failed << " of " << scenes.size() << " scenes failed\n";
-  return failed > 0 ? run_failed : success;
+  if (interruption.requested())
+    std::cerr << "gestalt: interrupted: " << scenes.size() - reported << " of " << scenes.size()
+              << " scenes were not begun\n";
+  return exit_code(failed > 0 ? run_failed : success);
 }
 
 }  // namespace gestalt::app

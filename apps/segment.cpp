@@ -21,6 +21,7 @@ namespace {
 struct Options {
   std::vector<std::filesystem::path> inputs;
   bool view = false;
+  bool resume = false;
   SegmenterOptions segmenter;
 };
 
@@ -37,6 +38,12 @@ int segment(const Options& options) {
   std::mutex mutex;
   std::map<std::filesystem::path, std::filesystem::path> written;  // by scene
   const int code = for_each_scene(scenes, [&](const std::filesystem::path& scene) {
+    if (options.resume && segmenter.has_segmented(scene)) {
+      const std::filesystem::path folder = segmenter.folder_of(scene);
+      const std::lock_guard lock(mutex);
+      written.emplace(scene, folder);
+      return folder.string() + ": is there already";
+    }
     const SegmentedScene done = segmenter.segment(scene);
     std::ostringstream line;
     line << done.folder.string() << ": " << done.segments << " segments of " << done.patches << " patches, "
@@ -45,7 +52,7 @@ int segment(const Options& options) {
     written.emplace(scene, done.folder);
     return line.str();
   });
-  if (!viewer || written.empty()) return code;
+  if (!viewer || written.empty() || code > 128) return code;
   std::vector<std::filesystem::path> results;
   for (const std::filesystem::path& scene : scenes)
     if (const auto found = written.find(scene); found != written.end()) results.push_back(found->second);
@@ -61,6 +68,9 @@ void add_segment(CLI::App& app, Run& run) {
       ->required()
       ->type_name("INPUT");
   add_segmenter_options(*command, options->segmenter);
+  command->add_flag("--resume", options->resume,
+                    "Leave out scenes whose results are complete, newer than the scene, and of this config, model, "
+                    "--camera and version: goes on where a run was interrupted");
   command->add_flag(
       "--view", options->view,
       "Show the results in PCL's viewer afterwards (needs a display and gestalt-view); implies --also pcd");

@@ -6,12 +6,19 @@
 #include <algorithm>
 
 #include "command.h"
+#include "frame_watch.h"
 #include "gestalt/labelled_files.h"
 #include "gestalt/result.h"
+#include "resumption.h"
 
 namespace gestalt::app {
 
 namespace {
+
+const std::vector<std::string> debug_names{"normals.png", "signal_patches.png", "surfaces.png", "lines.png",
+                                           "graph.png"};
+
+std::string labelled_name(const std::string& kind) { return kind == "coco" ? "coco.json" : "labelled." + kind; }
 
 /// Pictures of what the levels below the segments found, by file name.
 std::vector<OutputFile> debug_images(const std::filesystem::path& folder, const Pipeline& pipeline, Frame frame,
@@ -28,12 +35,12 @@ std::vector<OutputFile> debug_images(const std::filesystem::path& folder, const 
 /// Labels are those of labels.png; the instances of COCO are the objects.
 OutputFile labelled_file(const std::filesystem::path& folder, const std::string& kind, const Frame& frame,
                          const Segmentation& segmentation) {
-  if (kind == "pcd") return {folder / "labelled.pcd", encode_pcd(frame, segmentation.labels)};
-  if (kind == "ply") return {folder / "labelled.ply", encode_ply(frame, segmentation.labels)};
+  if (kind == "pcd") return {folder / labelled_name(kind), encode_pcd(frame, segmentation.labels)};
+  if (kind == "ply") return {folder / labelled_name(kind), encode_ply(frame, segmentation.labels)};
   // A scene's name comes from a path, which may be no UTF-8.
-  return {folder / "coco.json", coco_instances(object_labels(segmentation), frame.name + ".png")
-                                        .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) +
-                                    "\n"};
+  return {folder / labelled_name(kind), coco_instances(object_labels(segmentation), frame.name + ".png")
+                                                .dump(-1, ' ', false, nlohmann::json::error_handler_t::replace) +
+                                            "\n"};
 }
 
 }  // namespace
@@ -67,14 +74,18 @@ Segmenter::Segmenter(const SegmenterOptions& options)
       pipeline_(loaded_.config, loaded_.registry),
       models_(load_models(pipeline_)) {
   if (!options.camera.empty()) camera_ = read_camera(options.camera);
+  config_["identity"] = run_identity(config_, pipeline_.config().model, options.camera);
 }
 
 SegmentedScene Segmenter::segment(const std::filesystem::path& scene) const {
   const Input input = read_scene(scene, camera_);
+  std::optional<FrameWatch> watch(std::in_place, pipeline_.config().time_budget, scene.string());
   const Percept percept = pipeline_.perceive(input.frame);
   LevelTimes times = percept.times;
   const Segmentation segmentation = pipeline_.decide(percept, models_, &times);
-  const std::filesystem::path folder = output_ / input.frame.name;
+  watch.reset();
+  const std::filesystem::path folder = folder_of(scene);
+  remove_abandoned(folder);
   std::vector<OutputFile> more;
   if (debug_images_) more = debug_images(folder, pipeline_, input.frame, percept, segmentation.graph);
   for (const std::string& kind : also_) more.push_back(labelled_file(folder, kind, input.frame, segmentation));
@@ -82,6 +93,17 @@ SegmentedScene Segmenter::segment(const std::filesystem::path& scene) const {
   const auto objects = std::count_if(segmentation.segments.begin(), segmentation.segments.end(),
                                      [](const Segment& segment) { return segment.role == Role::object; });
   return {folder, std::size_t(objects), segmentation.segments.size(), percept.surfaces.surfaces.size(), times.total()};
+}
+
+std::filesystem::path Segmenter::folder_of(const std::filesystem::path& scene) const {
+  return output_ / scene_name(scene);
+}
+
+bool Segmenter::has_segmented(const std::filesystem::path& scene) const {
+  std::vector<std::string> files{"labels.png", "objects.png", "overlay.png", "patches.png"};
+  if (debug_images_) files.insert(files.end(), debug_names.begin(), debug_names.end());
+  for (const std::string& kind : also_) files.push_back(labelled_name(kind));
+  return is_segmented(scene, folder_of(scene), config_.at("identity"), files);
 }
 
 }  // namespace gestalt::app

@@ -39,8 +39,14 @@ class Segmenter {
   /// Loads config, plugins and model.
   explicit Segmenter(const SegmenterOptions& options);
 
-  /// May be called from many threads.
+  /// May be called from many threads, as all methods.
   SegmentedScene segment(const std::filesystem::path& scene) const;
+
+  /// The folder of a scene's results.
+  std::filesystem::path folder_of(const std::filesystem::path& scene) const;
+
+  /// Whether an earlier run has left there what segment() would give (is_segmented()).
+  bool has_segmented(const std::filesystem::path& scene) const;
 
  private:
   std::filesystem::path output_;

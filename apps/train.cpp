@@ -9,6 +9,7 @@
 #include "gestalt/for_all.h"
 #include "gestalt/input.h"
 #include "gestalt/learning_set.h"
+#include "gestalt/output_file.h"
 #include "pipeline_options.h"
 
 namespace gestalt::app {
@@ -53,6 +54,7 @@ int train(const Options& options) {
   all.reserve(perceived.size());
   for (const LearningScene& scene : perceived) all.push_back(&scene);
   const Models models = learn(pipeline, all);
+  remove_abandoned(std::filesystem::absolute(options.output).parent_path());
   write_models(options.output, models);
   std::cout << options.output.string() << '\n';
   print_model(models.structural, Level::structural);

@@ -16,11 +16,12 @@ namespace fs = std::filesystem;
 
 class Misbehaving : public testing::Test {
  protected:
-  Outcome segment_with(const std::string& how) const {
+  Outcome segment_with(const std::string& how, const std::string& time_budget = "0", std::size_t memory = 0) const {
     const std::string plugins = fs::path(BROKEN_PLUGINS) / "misbehaving";
     return run_gestalt({"segment", write_scene(folder.path() / "scene", small_wall()), "--output", out, "--set",
-                        "decision.solver=misbehaving", "--set", "decision.solver.params.how=" + how},
-                       {.variables = {"GESTALT_PLUGIN_PATH=" + plugins}});
+                        "decision.solver=misbehaving", "--set", "decision.solver.params.how=" + how, "--set",
+                        "time_budget=" + time_budget},
+                       {.variables = {"GESTALT_PLUGIN_PATH=" + plugins}, .memory = memory});
   }
 
   TemporaryFolder folder;
@@ -33,6 +34,25 @@ TEST_F(Misbehaving, WhatIsThrownIsAnErrorWithItsName) {
   expect_refused(segment_with("no_memory"), 2, {"solver 'misbehaving' failed", "memory"});
   EXPECT_EQ(files_below(out), Texts{});
 }
+
+TEST_F(Misbehaving, WhoTakesTooLongEndsTheFrame) {
+  expect_refused(segment_with("linger", "500"), 1, {"time_budget of 500 ms", "solver 'misbehaving' was at work"});
+  EXPECT_EQ(files_below(out), Texts{});
+  EXPECT_EQ(segment_with("linger", "60000").code, 0);
+}
+
+TEST_F(Misbehaving, WhoNeverReturnsEndsTheProcess) {
+  expect_refused(segment_with("hang", "100"), 1, {"ten times its time_budget; at work: solver 'misbehaving'", "scene"});
+  EXPECT_EQ(files_below(out), Texts{});
+}
+
+// A sanitizer takes terabytes of address space.
+#ifndef GESTALT_UNDER_SANITIZER
+TEST_F(Misbehaving, WhoAllocatesWithoutEndIsAnErrorUnderALimit) {
+  expect_refused(segment_with("allocate", "0", std::size_t{1} << 30), 2, {"solver 'misbehaving' failed", "memory"});
+  EXPECT_EQ(files_below(out), Texts{});
+}
+#endif
 
 // A sanitizer has a report of its own for these.
 #ifndef GESTALT_UNDER_SANITIZER

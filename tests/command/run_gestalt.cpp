@@ -5,6 +5,7 @@
 
 #include <fcntl.h>
 #include <gtest/gtest.h>
+#include <sys/resource.h>
 #include <sys/wait.h>
 #include <unistd.h>
 
@@ -22,9 +23,14 @@ namespace fs = std::filesystem;
 
 namespace {
 
+void limit(int resource, std::size_t value) {
+  const rlimit both{value, value};
+  if (value > 0 && ::setrlimit(resource, &both) != 0) ::_exit(127);
+}
+
 /// Becomes the command. Runs between fork and exec.
 [[noreturn]] void become(char* const* arguments, char* const* variables, const char* folder, const char* in,
-                         const char* out, const char* err) {
+                         const char* out, const char* err, const Surroundings& surroundings) {
   if (*in) {
     const int in_file = ::open(in, O_RDONLY);
     if (in_file < 0 || ::dup2(in_file, STDIN_FILENO) < 0) ::_exit(127);
@@ -33,6 +39,8 @@ namespace {
   if (out_file < 0 || err_file < 0 || ::dup2(out_file, STDOUT_FILENO) < 0 || ::dup2(err_file, STDERR_FILENO) < 0)
     ::_exit(127);
   if (*folder && ::chdir(folder) != 0) ::_exit(127);
+  limit(RLIMIT_AS, surroundings.memory);
+  limit(RLIMIT_FSIZE, surroundings.file_size);
   ::signal(SIGINT, SIG_DFL);  // a shell's background jobs ignore it
   ::execve(arguments[0], arguments, variables);
   ::_exit(127);
@@ -69,7 +77,7 @@ Outcome run_gestalt(const std::vector<std::string>& arguments, const Surrounding
 
   const pid_t child = ::fork();
   if (child < 0) throw std::runtime_error("the command cannot be started");
-  if (child == 0) become(argv.data(), envp.data(), folder.c_str(), in.c_str(), out.c_str(), err.c_str());
+  if (child == 0) become(argv.data(), envp.data(), folder.c_str(), in.c_str(), out.c_str(), err.c_str(), surroundings);
   if (!surroundings.interrupt_after.empty()) interrupt(child, surroundings.interrupt_after, surroundings.signal);
   int status = 0;
   ::waitpid(child, &status, 0);

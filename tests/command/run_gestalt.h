@@ -32,6 +32,8 @@ struct Surroundings {
   std::filesystem::path standard_output = {};  ///< file or device to write to; empty: kept in Outcome::out
   std::filesystem::path interrupt_after = {};  ///< the signal is sent once this file is there; empty: never
   int signal = SIGINT;
+  std::size_t memory = 0;     ///< bytes of address space; 0: no limit
+  std::size_t file_size = 0;  ///< bytes that a written file may have, as on a full disk; 0: no limit
 };
 
 /// Runs `gestalt arguments...` to its end.

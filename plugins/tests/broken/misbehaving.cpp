@@ -3,9 +3,12 @@
 
 // A solver that does whatever code of others may do.
 
+#include <chrono>
 #include <csignal>
 #include <cstdlib>
 #include <new>
+#include <thread>
+#include <vector>
 
 #include "gestalt/plugin.h"
 
@@ -18,7 +21,8 @@ class Misbehaving final : public gestalt::Solver {
   };
   static const gestalt::Parameters<Params>& parameters() {
     static const auto declared = gestalt::Parameters<Params>().choice(
-        "how", &Params::how, {"throw", "throw_number", "no_memory", "segmentation_fault", "abort", "recurse"},
+        "how", &Params::how,
+        {"throw", "throw_number", "no_memory", "allocate", "segmentation_fault", "abort", "recurse", "linger", "hang"},
         "what it does");
     return declared;
   }
@@ -29,6 +33,10 @@ class Misbehaving final : public gestalt::Solver {
     if (how_ == "throw") throw std::logic_error("the moon is full");
     if (how_ == "throw_number") throw 7;
     if (how_ == "no_memory") throw std::bad_alloc();
+    if (how_ == "allocate") allocate();
+    if (how_ == "linger") std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    if (how_ == "hang") std::this_thread::sleep_for(std::chrono::hours(24));
+    if (how_ == "linger" || how_ == "hang") return std::vector<int>(graph.sizes.size(), 0);
     if (how_ == "abort") std::abort();
     if (how_ == "recurse") return {deeper(int(graph.sizes.size()))};
     std::raise(SIGSEGV);
@@ -36,6 +44,10 @@ class Misbehaving final : public gestalt::Solver {
   }
 
  private:
+  static void allocate() {
+    for (std::vector<std::vector<char>> all;;) all.emplace_back(std::size_t{64} << 20);
+  }
+
   /// Never ends; the volatile array keeps the compiler from making a loop of it.
   static int deeper(int n) {  // NOLINT(misc-no-recursion)
     volatile char stack[4096] = {};

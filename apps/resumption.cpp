@@ -1,0 +1,70 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "resumption.h"
+
+#include <algorithm>
+#include <fstream>
+#include <sstream>
+
+#include "gestalt/error.h"
+#include "gestalt/fingerprint.h"
+#include "gestalt/hash.h"
+#include "gestalt/input.h"
+#include "gestalt/result_file.h"
+
+namespace gestalt::app {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+/// "" of a file that is not there.
+std::string content(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  return text.str();
+}
+
+std::vector<fs::path> files_of(const fs::path& scene) {
+  std::vector<fs::path> files;
+  if (const auto camera = find_camera_file(scene)) files.push_back(*camera);
+  if (fs::is_directory(scene))
+    for (const fs::directory_entry& entry : fs::directory_iterator(scene)) files.push_back(entry.path());
+  else
+    files.push_back(scene);
+  return files;
+}
+
+}  // namespace
+
+std::string run_identity(const json& config, const fs::path& model, const fs::path& camera) {
+  json values = config.at("values");
+  values.erase("time_budget");
+  return content_hash(std::string(GESTALT_VERSION) + '\n' + GESTALT_BUILD_FINGERPRINT + '\n' +
+                      values.dump(-1, ' ', false, json::error_handler_t::replace) + '\n' +
+                      content_hash(content(model)) + '\n' + (camera.empty() ? "" : content_hash(content(camera))));
+}
+
+bool is_segmented(const fs::path& scene, const fs::path& folder, const std::string& identity,
+                  const std::vector<std::string>& files) {
+  const auto there = [&](const std::string& name) { return fs::is_regular_file(folder / name); };
+  if (!there("result.json") || !std::all_of(files.begin(), files.end(), there)) return false;
+  const auto made = fs::last_write_time(folder / "result.json");
+  const std::vector<fs::path> sources = files_of(scene);
+  if (!std::all_of(sources.begin(), sources.end(), [&](const auto& file) { return fs::last_write_time(file) < made; }))
+    return false;
+  try {
+    const json result = read_result_content(folder / "result.json");
+    return result.value("input", "") == fs::absolute(scene).lexically_normal().string() &&
+           result.at("config").value("identity", "") == identity;
+  } catch (const InputError&) {
+    return false;
+  } catch (const json::exception&) {
+    return false;
+  }
+}
+
+}  // namespace gestalt::app

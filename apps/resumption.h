@@ -1,0 +1,22 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <nlohmann/json.hpp>
+#include <string>
+#include <vector>
+
+namespace gestalt::app {
+
+/// Names what the results of all scenes follow from: this build, the config's values but its time budget, the content
+/// of the model and of the camera file given for all scenes (empty: none). Results keep it as `config.identity`.
+std::string run_identity(const nlohmann::json& config, const std::filesystem::path& model,
+                         const std::filesystem::path& camera);
+
+/// Whether the folder of a scene's results has all files of these names and a result.json of this run, newer than every
+/// file of the scene and its camera file. An unreadable one is none.
+bool is_segmented(const std::filesystem::path& scene, const std::filesystem::path& folder, const std::string& identity,
+                  const std::vector<std::string>& files);
+
+}  // namespace gestalt::app

@@ -1,0 +1,143 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+// A batch that is interrupted, killed or runs out of disk leaves whole results or none, and --resume goes on from
+// there.
+
+#include <gtest/gtest.h>
+
+#include <chrono>
+#include <fstream>
+#include <map>
+#include <nlohmann/json.hpp>
+
+#include "run_gestalt.h"
+#include "scenes.h"
+
+namespace gestalt::test {
+namespace {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+const Texts result_files{"labels.png", "objects.png", "overlay.png", "patches.png", "result.json"};
+
+/// A result folder's files by name, result.json without what a run's speed decides.
+std::map<std::string, std::string> whole_result(const fs::path& folder) {
+  std::map<std::string, std::string> files;
+  for (const std::string& name : files_below(folder)) files[name] = content(folder / name);
+  json result = json::parse(files.at("result.json"));
+  result.erase("milliseconds");
+  files["result.json"] = result.dump();
+  return files;
+}
+
+class Interrupted : public testing::Test {
+ protected:
+  Outcome segment(const Texts& more = {}, const Surroundings& surroundings = {}) const {
+    return run_gestalt(joined({"segment", scenes, "--output", out, "--threads", "1"}, more), surroundings);
+  }
+
+  /// After the first scene of four.
+  Outcome segment_and_send(int signal) const {
+    return segment({}, {.interrupt_after = out / names.front() / "result.json", .signal = signal});
+  }
+
+  void expect_results_of_an_undisturbed_run() const {
+    const fs::path undisturbed = folder.path() / "undisturbed";
+    if (!fs::exists(undisturbed)) expect_success(run_gestalt({"segment", scenes, "--output", undisturbed}));
+    for (const std::string& name : names) EXPECT_EQ(whole_result(out / name), whole_result(undisturbed / name)) << name;
+    EXPECT_EQ(files_below(out), files_below(undisturbed));
+  }
+
+  /// Those of a resumed run.
+  int left_alone(const Texts& more = {}) const {
+    const Outcome outcome = segment(joined({"--resume"}, more));
+    expect_success(outcome);
+    EXPECT_EQ(occurrences("\n", outcome.out), 4);
+    return occurrences("is there already", outcome.out);
+  }
+
+  TemporaryFolder folder;
+  const fs::path scenes = [this] {
+    fs::copy(synthetic_scenes(), folder.path() / "scenes", fs::copy_options::recursive);
+    return folder.path() / "scenes";
+  }();
+  const fs::path out = folder.path() / "out";
+  const Texts names = [] {
+    Texts four;
+    for (int i = 0; i < 4; ++i) four.push_back(synthetic_scene(i).filename());
+    return four;
+  }();
+};
+
+TEST_F(Interrupted, ASignalEndsTheBatchAfterTheScenesAtWork) {
+  for (const int signal : {SIGINT, SIGTERM}) {
+    const Outcome outcome = segment_and_send(signal);
+    EXPECT_EQ(outcome.code, 128 + signal);
+    EXPECT_EQ(occurrences("interrupted: ", outcome.err), 1) << outcome.err;
+    EXPECT_EQ(occurrences(" of 4 scenes were not begun", outcome.err), 1) << outcome.err;
+    const int done = occurrences("\n", outcome.out);
+    EXPECT_GE(done, 1);
+    EXPECT_LT(done, 4);
+    EXPECT_EQ(files_below(out).size(), std::size_t(done) * result_files.size());
+    EXPECT_EQ(left_alone(), done);
+    expect_results_of_an_undisturbed_run();
+    fs::remove_all(out);
+  }
+}
+
+TEST_F(Interrupted, ASignalEndsTheOnlySceneWithAWholeResultOrNone) {
+  const Outcome outcome = run_gestalt({"segment", synthetic_scene(), "--output", out, "--debug-images"},
+                                      {.interrupt_after = out / names.front(), .signal = SIGTERM});
+  EXPECT_EQ(outcome.code, 128 + SIGTERM);
+  for (const std::string& name : result_files) EXPECT_TRUE(fs::exists(out / names.front() / name)) << name;
+}
+
+TEST_F(Interrupted, AKilledBatchIsResumed) {
+  EXPECT_EQ(segment_and_send(SIGKILL).code, 128 + SIGKILL);
+  // What a write that was under way leaves: no process has so large a number.
+  fs::create_directories(out / names[1]);
+  std::ofstream(out / names[1] / "labels.png.tmp999999999") << "half";
+  EXPECT_GE(left_alone(), 1);
+  expect_results_of_an_undisturbed_run();
+}
+
+TEST_F(Interrupted, ResumingLeavesOutWhatWouldBeTheSame) {
+  expect_success(segment());
+  EXPECT_EQ(left_alone(), 4);
+  EXPECT_EQ(left_alone({"--set", "time_budget=60000"}), 4);
+  EXPECT_EQ(left_alone({"--set", "structural.negatives=1000"}), 0);
+  EXPECT_EQ(left_alone({"--set", "structural.negatives=1000"}), 4);
+  EXPECT_EQ(left_alone(), 0);
+  EXPECT_EQ(left_alone({"--camera", scenes / "camera.yaml"}), 0);
+  EXPECT_EQ(left_alone({"--also", "ply", "--camera", scenes / "camera.yaml"}), 0);
+  EXPECT_EQ(left_alone({"--camera", scenes / "camera.yaml"}), 4);
+}
+
+TEST_F(Interrupted, ResumingDoesAgainWhatIsIncompleteOrOlderThanItsScene) {
+  expect_success(segment());
+  fs::remove(out / names[0] / "overlay.png");
+  truncate(out / names[1] / "result.json", 0.5);
+  fs::last_write_time(scenes / names[2] / "depth.png", fs::file_time_type::clock::now() + std::chrono::hours(1));
+  EXPECT_EQ(left_alone(), 1);
+  EXPECT_EQ(left_alone(), 3) << "the scene from the future is done again";
+  expect_results_of_an_undisturbed_run();
+}
+
+TEST_F(Interrupted, AFullDiskLeavesNoPartOfAResult) {
+  const Outcome outcome = segment({}, {.file_size = 20000});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(occurrences("cannot be written: File too large; check permission and free space", outcome.err), 4);
+  EXPECT_EQ(files_below(out), Texts{});
+}
+
+TEST_F(Interrupted, AFullDiskLeavesTheEarlierResult) {
+  expect_success(segment());
+  const auto earlier = whole_result(out / names[0]);
+  EXPECT_EQ(segment({"--set", "structural.negatives=1000"}, {.file_size = 20000}).code, 1);
+  EXPECT_EQ(whole_result(out / names[0]), earlier);
+}
+
+}  // namespace
+}  // namespace gestalt::test
