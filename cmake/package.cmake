@@ -67,4 +67,11 @@ set(CPACK_DEBIAN_VIEWER_PACKAGE_DEPENDS "gestalt ${same_version}")
 set(CPACK_COMPONENT_VIEWER_DESCRIPTION "Gestalt's results in PCL's viewer
  What gestalt segment --view opens.")
 
+# Each package says what it is made of, where dpkg and Ninja know.
+find_program(DPKG_QUERY dpkg-query)
+if(DPKG_QUERY AND CMAKE_GENERATOR STREQUAL Ninja)
+  set(CPACK_GESTALT_BUILD ${PROJECT_BINARY_DIR})
+  set(CPACK_PRE_BUILD_SCRIPTS ${PROJECT_SOURCE_DIR}/cmake/package_sbom.cmake)
+endif()
+
 include(CPack)
