@@ -334,6 +334,38 @@ TEST_F(Pcd, RefusesLabelsThatAreNone) {
   expect_parts(error_of(write(header + "0 0 1 70000\n0 0 1 1\n")), {"point 0 has a label outside 0 to 65535"});
 }
 
+TEST_F(Pcd, ReadsLabelsOfAnySize) {
+  for (const char* size : {"1", "2", "4", "8"})
+    for (const char* type : {"U", "I"}) {
+      const Input input =
+          read_scene(write("FIELDS x y z label\nSIZE 4 4 4 " + std::string(size) + "\nTYPE F F F " + type +
+                           "\nWIDTH 2\nHEIGHT 2\nPOINTS 4\nDATA ascii\n"
+                           "0 0 1 0\n0.5 0 1 1\n0 0.25 1 20\n0.5 0.25 1 127\n"));
+      const cv::Mat_<std::uint16_t> expected = (cv::Mat_<std::uint16_t>(2, 2) << 0, 1, 20, 127);
+      EXPECT_EQ(cv::norm(input.ground_truth, expected, cv::NORM_INF), 0) << type << size << input.ground_truth;
+    }
+}
+
+TEST_F(Pcd, RefusesColoursAndLabelsOfAnotherKind) {
+  const auto with_field = [&](const std::string& name, const std::string& size, const std::string& type) {
+    return write("FIELDS x y z " + name + "\nSIZE 4 4 4 " + size + "\nTYPE F F F " + type +
+                 "\nWIDTH 2\nHEIGHT 2\nPOINTS 4\nDATA ascii\n0 0 1 1\n0.5 0 1 1\n0 0.25 1 1\n0.5 0.25 1 1\n");
+  };
+  expect_parts(error_of(with_field("rgb", "8", "F")), {"c.pcd: field 'rgb' must be one packed colour of 4 bytes"});
+  expect_parts(error_of(with_field("rgba", "2", "U")), {"c.pcd: field 'rgba' must be one packed colour of 4 bytes"});
+  expect_parts(error_of(with_field("label", "4", "F")), {"c.pcd: field 'label' must be one whole number"});
+}
+
+TEST_F(Pcd, SkipsPadding) {
+  const std::string header =
+      "FIELDS _ x y _ z\nSIZE 1 4 4 2 4\nTYPE U F F U F\nCOUNT 3 1 1 1 1\nWIDTH 2\nHEIGHT 2\nPOINTS 4\nDATA ";
+  const Input input =
+      read_scene(write(header + "ascii\n7 7 7 0 0 7 1\n7 7 7 0.5 0 7 1\n7 7 7 0 0.25 7 1\n7 7 7 0.5 0.25 seven 1\n"));
+  EXPECT_NEAR(input.frame.camera.fx, 2, 1e-6);
+  EXPECT_NEAR(input.frame.camera.fy, 4, 1e-6);
+  expect_parts(error_of(write(header + "binary_compressed\n")), {"c.pcd: has padding fields '_'"});
+}
+
 TEST_F(Pcd, RefusesDamagedCompressedData) {
   const fs::path file = folder_.path() / "c.pcd";
   pcl::PCDWriter().writeBinaryCompressed(file.string(),

@@ -43,6 +43,15 @@ class PerfectFitter final : public FrontalPlane {
   }
 };
 
+/// One that takes large patches only, and those perfectly.
+class FitterOfLargePatches final : public FrontalPlane {
+ public:
+  using FrontalPlane::FrontalPlane;
+  std::shared_ptr<const SurfaceModel> fit(std::span<const Eigen::Vector3f> points) const override {
+    return points.size() < 500 ? nullptr : PerfectFitter(parameter_count()).fit(points);
+  }
+};
+
 class NoFitter final : public FrontalPlane {
  public:
   using FrontalPlane::FrontalPlane;
@@ -110,6 +119,15 @@ TEST(SurfaceModelling, LeavesALargePatchToTheFirstFitter) {
   SurfaceModellingParams params;
   params.largest_solid_angle = 899.5 / (525 * 525);
   EXPECT_EQ(model_surfaces(scene.frame, scene.patches, both, params).surfaces[0].model->type(), "plane");
+}
+
+TEST(SurfaceModelling, FitsAMergedPatchAnewWhereItsPartsHadNoModel) {
+  const auto scene = step(0.008f);  // two patches of 400 points, which one frontal plane does not explain
+  const Fitters both{std::make_shared<FrontalPlane>(12), std::make_shared<FitterOfLargePatches>(13)};
+  const SurfaceSet set = model_surfaces(scene.frame, scene.patches, both, {});
+  ASSERT_EQ(set.surfaces.size(), 1u);
+  EXPECT_EQ(set.surfaces[0].pixels.size(), 800u);
+  EXPECT_EQ(set.surfaces[0].model->type(), "perfect");
 }
 
 TEST(SurfaceModelling, NamesTheRemedyWhenNoFitterFits) {

@@ -6,6 +6,7 @@ were made of; damaged ones are refused with their name, the place and the remedy
 import io
 import json
 import pathlib
+import re
 import shutil
 import subprocess
 import sys
@@ -109,6 +110,8 @@ class Npz(FormatsTest):
             ("array 'K' must have the shape (3, 3)", {"K": K[0]}),
             ("no array 'K', nor is there a camera.yaml", {"K": None}),
             ("array 'label' has a label outside of 0 to 65535", {"label": label.astype(int) - 1}),
+            ("array 'label' must be of integers and have the shape (480, 640)", {"label": label[1:]}),
+            ("array 'label' must be of integers and have the shape (480, 640)", {"label": label.astype(float)}),
             ("array 'depth': is in Fortran order", {"depth": numpy.asfortranarray(depth)}),
             ("array 'depth': has the type '>u2'", {"depth": depth.astype(">u2")}),
             ("half precision", {"depth": depth.astype(numpy.float16)}),
@@ -137,6 +140,11 @@ class Npz(FormatsTest):
             with zipfile.ZipFile(file, "w") as archive:
                 archive.writestr("depth.npy", header.getvalue())
             self.refused("damaged.npz", "array 'depth'", words=("info", file))
+        short = io.BytesIO()
+        numpy.save(short, depth)
+        with zipfile.ZipFile(file, "w") as archive:
+            archive.writestr("depth.npy", short.getvalue()[:-10])
+        self.refused("damaged.npz", f"has {depth.nbytes - 10} bytes of data, its shape needs {depth.nbytes}", words=("info", file))
         with zipfile.ZipFile(file, "w", zipfile.ZIP_DEFLATED) as archive:  # a megabyte that unpacks to more than memory is for
             with archive.open("depth.npy", "w", force_zip64=True) as entry:
                 for _ in range(1100):
@@ -298,6 +306,26 @@ class Bop(FormatsTest):
         self.scene()
         cv2.imwrite(str(scene / "mask_visib" / "000007_000001.png"), numpy.zeros((2, 2), numpy.uint8))
         self.refused("000007_000001.png: is 2x2", words=("convert", scene, "--output", self.work / "out"))
+
+    def test_images_that_cannot_be_used_are_named(self):
+        scene = self.scene()
+        words = ("convert", scene, "--output", self.work / "out")
+        camera = self.work / "camera.yaml"
+        camera.write_text("width: 320\nheight: 240\nfx: 262\nfy: 262\ncx: 160\ncy: 120\n")
+        self.refused("depth/000007.png: is 640x480, the camera is for 320x240", words=(*words, "--camera", camera))
+        cv2.imwrite(str(scene / "depth" / "000007.png"), depth * 0)
+        self.refused("depth/000007.png: no pixel has a measurement", words=words)
+        (scene / "rgb" / "000007.png").unlink()
+        self.refused("rgb/000007.png: does not exist, nor is there one in gray/", words=words)
+
+    def test_scenes_are_in_the_order_of_their_numbers(self):
+        scene = self.scene()
+        for name in ("10", "9"):
+            shutil.copytree(scene, scene.parent / name)
+        out = self.work / "out"
+        told = self.run_gestalt("convert", scene.parent, "--from", "bop", "--output", out)
+        names = re.findall(r"(\w+)_000007", told)
+        self.assertEqual(sorted(set(names), key=names.index), ["000002", "9", "10"], told)
 
 
 class Ocid(FormatsTest):
