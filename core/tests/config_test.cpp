@@ -401,6 +401,18 @@ TEST_F(ConfigTest, WrongListsOfComponentsAreErrors) {
                   "off are for a component of a list, as in 'relations: {name: off}'"});
 }
 
+TEST_F(ConfigTest, AValueOfAnotherKindIsAnError) {
+  const auto error = [this](const std::string& text) { return errors(extend(text)); };
+  EXPECT_EQ(error("structural: {relations: {border: {params: [1]}}}"),
+            Lines{"extended.yaml:3:43: structural.relations.border.params: expected names and values, got a list"});
+  EXPECT_EQ(error("plugin_directories: plugins"),
+            Lines{"extended.yaml:3:21: plugin_directories: expected a list of directories, got 'plugins'"});
+  EXPECT_EQ(error("plugin_directories: [{plugins: here}]"),
+            Lines{"extended.yaml:3:22: plugin_directories: expected a directory, got a mapping"});
+  EXPECT_EQ(errors(base_, {"structural.relations="}),
+            Lines{"--set structural.relations=: structural.relations: expected a list of components, got nothing"});
+}
+
 TEST_F(ConfigTest, AFileThatCannotBeReadIsAnErrorAtOnce) {
   EXPECT_EQ(errors(folder_ / "none.yaml"), Lines{"cannot read config 'none.yaml': No such file or directory"});
   EXPECT_EQ(errors(write("top.yaml", "schema_version: 1\nextends: none.yaml\n")),
