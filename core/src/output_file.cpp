@@ -123,6 +123,4 @@ void remove_abandoned(const fs::path& folder) {
   }
 }
 
-void write_png(const fs::path& file, const cv::Mat& image) { write_file(file, encode_png(image)); }
-
 }  // namespace gestalt

@@ -18,9 +18,6 @@ namespace gestalt {
 /// the system's reason, also where the name is taken by a folder or a device; leaves no temporary file.
 GESTALT_EXPORT void write_file(const std::filesystem::path& file, std::string_view bytes);
 
-/// Same, for an image as PNG.
-GESTALT_EXPORT void write_png(const std::filesystem::path& file, const cv::Mat& image);
-
 /// An image as the bytes of a PNG file. Throws OutputError.
 GESTALT_EXPORT std::string encode_png(const cv::Mat& image);
 
