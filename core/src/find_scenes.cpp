@@ -66,7 +66,11 @@ std::string scene_name(const fs::path& scene) {
   std::error_code error;
   fs::path path = fs::absolute(scene, error).lexically_normal();
   if (!path.has_filename()) path = path.parent_path();
-  return (fs::is_directory(path, error) ? path.filename() : path.stem()).string();
+  const std::string name = (fs::is_directory(path, error) ? path.filename() : path.stem()).string();
+  // That of a file '...pcd' would put results beside the output folder.
+  if (name == "." || name == "..")
+    throw InputError(scene.string() + ": has the name '" + name + "', which no folder of results can have; rename it");
+  return name;
 }
 
 std::vector<fs::path> find_scenes(const std::vector<fs::path>& paths) {

@@ -66,6 +66,16 @@ TEST_F(BadInput, WhatIsNoScene) {
   refuse(scene / "depth.png", 3, {"depth.png", "scene folder"});
 }
 
+TEST_F(BadInput, ANameThatWouldLeaveTheOutputFolder) {
+  const fs::path stranger = folder.path() / "stranger";
+  fs::create_directory(stranger);
+  folder.write("stranger/...pcd", pcd({{{0, 0, 1}, 0}}, 1, 1));
+  fs::copy(scene / "camera.yaml", stranger);
+  for (const fs::path& input : {stranger, stranger / "...pcd"})
+    refuse(input, 3, {"...pcd", "has the name '..'", "rename it"});
+  EXPECT_EQ(files_below(stranger).size(), 2u);
+}
+
 TEST_F(BadInput, EmptyFolder) {
   fs::create_directory(folder.path() / "empty");
   refuse(folder.path() / "empty", 3, {"empty", "holds no scene", "depth.png"});

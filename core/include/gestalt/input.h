@@ -46,7 +46,8 @@ struct Input {
                                          ///< without a finite position
 };
 
-/// The name of a scene in results: the folder's name, or the cloud's without extension.
+/// The name of a scene in results: the folder's name, or the cloud's without extension. It names an entry of a folder:
+/// throws InputError where it would be '.' or '..'.
 GESTALT_EXPORT std::string scene_name(const std::filesystem::path& scene);
 
 /// Every scene below the given paths, in the given order, the scenes of a folder in natural order (learn2 before
