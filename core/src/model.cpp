@@ -134,6 +134,8 @@ Model train_model(const Classifier& classifier, std::string classifier_name, std
   require_both_classes(samples);
   if (names.size() != samples.columns || samples.values.size() != samples.columns * samples.rows())
     throw ModelError("the samples do not have one value for each of: " + joined(names));
+  if (!std::all_of(samples.values.begin(), samples.values.end(), is_model_number))
+    throw ModelError("a relation's value is not in [-1e100, 1e100], as the numbers of a model must be");
   training.positive_pairs = std::size_t(std::count(samples.positive.begin(), samples.positive.end(), 1));
   training.negative_pairs = samples.rows() - training.positive_pairs;
   const Scaling scaling = Scaling::of(samples);

@@ -27,9 +27,11 @@ const json& list(const json& object, const std::string& key, const std::string& 
   return value;
 }
 
-bool is_bounded_number(const json& value) { return value.is_number() && std::abs(value.get<double>()) <= largest; }
+bool is_bounded_number(const json& value) { return value.is_number() && is_model_number(value.get<double>()); }
 
 }  // namespace
+
+bool is_model_number(double value) { return std::abs(value) <= largest; }
 
 const json& field(const json& object, const std::string& key) {
   if (!object.is_object()) throw ModelError("expected an object with the key '" + key + "'");

@@ -244,6 +244,8 @@ TEST_F(ModelFile, TrainingNeedsBothClasses) {
   }
   EXPECT_THROW(train({1, {}, {}}), ModelError);
   EXPECT_THROW(train({2, {1, 2, 3, 4}, {1, 0}}), ModelError);  // two columns, one name
+  for (const double value : {1e101, -1.7e308, std::numeric_limits<double>::infinity(), std::nan("")})
+    EXPECT_THROW(train({1, {0, value}, {1, 0}}), ModelError) << value;
 }
 
 }  // namespace

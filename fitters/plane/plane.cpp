@@ -98,6 +98,8 @@ std::shared_ptr<const SurfaceModel> plane_of(const Moments& moments) {
   const Eigen::Vector4f point(float(centre.x()), float(centre.y()), float(centre.z()), 1);
   pcl::solvePlaneParameters(covariance.cast<float>(), point, plane, curvature);
   Eigen::Vector3f normal = plane.head<3>().normalized();
+  // PCL solves in single precision, which finds none for a patch that is thousands of times longer than wide.
+  if (!normal.allFinite()) normal = eigen.eigenvectors().col(0).cast<float>();
   if (normal.dot(point.head<3>()) > 0) normal = -normal;
   return std::make_shared<PlaneModel>(moments, normal);
 }

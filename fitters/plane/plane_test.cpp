@@ -51,6 +51,13 @@ TEST(Plane, OfCollinearPointsContainsTheLineAndFacesTheCamera) {
   EXPECT_LT(model->squared_distance(line.back()), 1e-10f);
 }
 
+TEST(Plane, OfAPatchThousandsOfTimesLongerThanWideHasANormal) {
+  const Points points{{0, 0, 1e-3F}, {2e-6F, 0, 1e-3F}, {0, 2e-6F, 1e-3F}, {-5000, -4000, 1000}};
+  const auto foot = Plane({}).fit(points)->foot(points[3]);
+  EXPECT_TRUE(foot.point.allFinite());
+  EXPECT_NEAR(foot.normal.norm(), 1, 1e-5F);
+}
+
 TEST(Plane, MergedFromMomentsEqualsAFitToAllPoints) {
   const Points a = grid({0, 0, 1}, {0.01f, 0, 0.002f}, {0, 0.01f, 0}, 8);
   const Points b = grid({0.2f, 0, 1.05f}, {0.01f, 0, 0}, {0, 0.01f, 0.001f}, 5);

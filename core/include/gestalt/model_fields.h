@@ -16,7 +16,10 @@ namespace gestalt {
 /// The member of an object, of whatever type.
 GESTALT_EXPORT const nlohmann::json& field(const nlohmann::json& object, const std::string& key);
 
-/// A number in [-1e100, 1e100], so that what is computed of it stays finite.
+/// Whether it is in [-1e100, 1e100], as all numbers of a model are, so that what is computed of it stays finite.
+GESTALT_EXPORT bool is_model_number(double value);
+
+/// A number in [-1e100, 1e100].
 GESTALT_EXPORT double number_field(const nlohmann::json& object, const std::string& key);
 
 /// A list of such numbers.
