@@ -54,10 +54,16 @@ def memcheck(report):
             "definitely lost.\n")
 
 
+SECTIONS = {"fuzz": fuzz_table, "soak": lambda report: soak_table(report) + "\n" + figures(report), "valgrind": memcheck,
+            "coverage": coverage}
+
+
 def main(folder, page):
-    reports = {name: json.loads((folder / f"{name}.json").read_text()) for name in ("fuzz", "soak", "coverage", "valgrind")}
-    text = "\n".join([fuzz_table(reports["fuzz"]), soak_table(reports["soak"]), figures(reports["soak"]),
-                      memcheck(reports["valgrind"]), coverage(reports["coverage"])])
+    sections = []
+    for name, section in SECTIONS.items():
+        file = folder / f"{name}.json"
+        sections.append(section(json.loads(file.read_text())) if file.exists() else f"No report of `scripts/{name}`.\n")
+    text = "\n".join(sections)
     before, rest = page.read_text().split(BEGIN)
     page.write_text(before + BEGIN + "\n" + text + "\n" + END + rest.split(END)[1])
 

@@ -36,13 +36,13 @@ TEST_F(Misbehaving, WhatIsThrownIsAnErrorWithItsName) {
 }
 
 TEST_F(Misbehaving, WhoTakesTooLongEndsTheFrame) {
-  expect_refused(segment_with("linger", "500"), 1, {"time_budget of 500 ms", "solver 'misbehaving' was at work"});
+  expect_refused(segment_with("linger", "3000"), 1, {"time_budget of 3000 ms", "solver 'misbehaving' was at work"});
   EXPECT_EQ(files_below(out), Texts{});
   EXPECT_EQ(segment_with("linger", "60000").code, 0);
 }
 
 TEST_F(Misbehaving, WhoNeverReturnsEndsTheProcess) {
-  expect_refused(segment_with("hang", "100"), 1, {"ten times its time_budget; at work: solver 'misbehaving'", "scene"});
+  expect_refused(segment_with("hang", "1000"), 1, {"ten times its time_budget; at work: solver 'misbehaving'", "scene"});
   EXPECT_EQ(files_below(out), Texts{});
 }
 

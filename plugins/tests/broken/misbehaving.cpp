@@ -34,7 +34,7 @@ class Misbehaving final : public gestalt::Solver {
     if (how_ == "throw_number") throw 7;
     if (how_ == "no_memory") throw std::bad_alloc();
     if (how_ == "allocate") allocate();
-    if (how_ == "linger") std::this_thread::sleep_for(std::chrono::milliseconds(600));
+    if (how_ == "linger") std::this_thread::sleep_for(std::chrono::seconds(4));
     if (how_ == "hang") std::this_thread::sleep_for(std::chrono::hours(24));
     if (how_ == "linger" || how_ == "hang") return std::vector<int>(graph.sizes.size(), 0);
     if (how_ == "abort") std::abort();
