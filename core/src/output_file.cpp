@@ -79,7 +79,7 @@ class StagedFile {
     if (!fs::exists(status)) return file_;
     if (fs::is_directory(status)) fail("it is a folder; choose another --output");
     if (!fs::is_regular_file(status)) fail("it is no regular file; choose another --output");
-    const fs::path resolved = fs::canonical(file_, error);
+    fs::path resolved = fs::canonical(file_, error);
     if (error) fail(error.message());
     return resolved;
   }
