@@ -42,7 +42,8 @@ TEST_F(Misbehaving, WhoTakesTooLongEndsTheFrame) {
 }
 
 TEST_F(Misbehaving, WhoNeverReturnsEndsTheProcess) {
-  expect_refused(segment_with("hang", "1000"), 1, {"ten times its time_budget; at work: solver 'misbehaving'", "scene"});
+  expect_refused(segment_with("hang", "1000"), 1,
+                 {"ten times its time_budget; at work: solver 'misbehaving'", "scene"});
   EXPECT_EQ(files_below(out), Texts{});
 }
 
