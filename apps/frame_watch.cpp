@@ -3,6 +3,7 @@
 
 #include "frame_watch.h"
 
+#include <algorithm>
 #include <chrono>
 #include <cstdlib>
 #include <iostream>
@@ -14,12 +15,17 @@ namespace gestalt::app {
 
 namespace {
 
+using namespace std::chrono_literals;
+
+/// A component that does return, if late, fails its frame alone.
+constexpr std::chrono::milliseconds least_patience = 5s;
+
 /// Destructors are not called: threads that do not return use what they would destroy.
-[[noreturn]] void end(const std::string& frame, std::chrono::milliseconds patience) {
+[[noreturn]] void end(const std::string& frame, int budget, std::chrono::milliseconds patience) {
   std::string names;
   for (const char* name : running_components()) names += (names.empty() ? "" : ", ") + std::string(name);
-  std::cerr << "gestalt: error: " << frame << ": not done after " << patience.count()
-            << " ms, ten times its time_budget; at work: " << (names.empty() ? "no component" : names)
+  std::cerr << "gestalt: error: " << frame << ": not done after " << patience.count() << " ms, with a time_budget of "
+            << budget << " ms; at work: " << (names.empty() ? "no component" : names)
             << "; the process ends, as nothing else stops a component that does not return\n"
             << std::flush;
   std::_Exit(run_failed);
@@ -29,10 +35,10 @@ namespace {
 
 FrameWatch::FrameWatch(int budget_milliseconds, std::string frame) {
   if (budget_milliseconds == 0) return;
-  const std::chrono::milliseconds patience = std::chrono::milliseconds(budget_milliseconds) * 10;
-  watcher_ = std::thread([this, patience, name = std::move(frame)] {
+  const std::chrono::milliseconds patience = std::max(least_patience, budget_milliseconds * 10ms);
+  watcher_ = std::thread([this, budget_milliseconds, patience, name = std::move(frame)] {
     std::unique_lock lock(mutex_);
-    if (!changed_.wait_for(lock, patience, [&] { return done_; })) end(name, patience);
+    if (!changed_.wait_for(lock, patience, [&] { return done_; })) end(name, budget_milliseconds, patience);
   });
 }
 

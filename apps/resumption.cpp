@@ -4,10 +4,10 @@
 #include "resumption.h"
 
 #include <algorithm>
-#include <fstream>
-#include <sstream>
+#include <set>
 
 #include "gestalt/error.h"
+#include "gestalt/file_bytes.h"
 #include "gestalt/fingerprint.h"
 #include "gestalt/hash.h"
 #include "gestalt/input.h"
@@ -20,21 +20,16 @@ using nlohmann::json;
 
 namespace {
 
-/// "" of a file that is not there.
-std::string content(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  return text.str();
-}
+/// "" of no path.
+std::string hash_of(const fs::path& file) { return file.empty() ? "" : content_hash(read_bytes(file)); }
 
+/// The folder tells of files that were removed.
 std::vector<fs::path> files_of(const fs::path& scene) {
   std::vector<fs::path> files;
   if (const auto camera = find_camera_file(scene)) files.push_back(*camera);
   if (fs::is_directory(scene))
     for (const fs::directory_entry& entry : fs::directory_iterator(scene)) files.push_back(entry.path());
-  else
-    files.push_back(scene);
+  files.push_back(scene);
   return files;
 }
 
@@ -44,22 +39,24 @@ std::string run_identity(const json& config, const fs::path& model, const fs::pa
   json values = config.at("values");
   values.erase("time_budget");
   return content_hash(std::string(GESTALT_VERSION) + '\n' + GESTALT_BUILD_FINGERPRINT + '\n' +
-                      values.dump(-1, ' ', false, json::error_handler_t::replace) + '\n' +
-                      content_hash(content(model)) + '\n' + (camera.empty() ? "" : content_hash(content(camera))));
+                      values.dump(-1, ' ', false, json::error_handler_t::replace) + '\n' + hash_of(model) + '\n' +
+                      hash_of(camera));
 }
 
 bool is_segmented(const fs::path& scene, const fs::path& folder, const std::string& identity,
-                  const std::vector<std::string>& files) {
-  const auto there = [&](const std::string& name) { return fs::is_regular_file(folder / name); };
-  if (!there("result.json") || !std::all_of(files.begin(), files.end(), there)) return false;
+                  const std::vector<std::string>& wanted) {
+  if (!fs::is_regular_file(folder / "result.json")) return false;
   const auto made = fs::last_write_time(folder / "result.json");
   const std::vector<fs::path> sources = files_of(scene);
   if (!std::all_of(sources.begin(), sources.end(), [&](const auto& file) { return fs::last_write_time(file) < made; }))
     return false;
   try {
     const json result = read_result_content(folder / "result.json");
+    const auto files = result.at("files").get<std::set<std::string>>();
+    const auto is_there = [&](const std::string& name) { return fs::is_regular_file(folder / name); };
     return result.value("input", "") == fs::absolute(scene).lexically_normal().string() &&
-           result.at("config").value("identity", "") == identity;
+           result.at("config").value("identity", "") == identity && std::all_of(files.begin(), files.end(), is_there) &&
+           std::all_of(wanted.begin(), wanted.end(), [&](const std::string& name) { return files.contains(name); });
   } catch (const InputError&) {
     return false;
   } catch (const json::exception&) {

@@ -14,9 +14,9 @@ namespace gestalt::app {
 std::string run_identity(const nlohmann::json& config, const std::filesystem::path& model,
                          const std::filesystem::path& camera);
 
-/// Whether the folder of a scene's results has all files of these names and a result.json of this run, newer than every
-/// file of the scene and its camera file. An unreadable one is none.
+/// Whether the folder of a scene's results has a result.json of this run, newer than every file of the scene and its
+/// camera file, that names these files, and has all files that it names. An unreadable one is none.
 bool is_segmented(const std::filesystem::path& scene, const std::filesystem::path& folder, const std::string& identity,
-                  const std::vector<std::string>& files);
+                  const std::vector<std::string>& wanted);
 
 }  // namespace gestalt::app

@@ -100,10 +100,10 @@ std::filesystem::path Segmenter::folder_of(const std::filesystem::path& scene) c
 }
 
 bool Segmenter::has_segmented(const std::filesystem::path& scene) const {
-  std::vector<std::string> files{"labels.png", "objects.png", "overlay.png", "patches.png"};
-  if (debug_images_) files.insert(files.end(), debug_names.begin(), debug_names.end());
-  for (const std::string& kind : also_) files.push_back(labelled_name(kind));
-  return is_segmented(scene, folder_of(scene), config_.at("identity"), files);
+  std::vector<std::string> wanted;
+  if (debug_images_) wanted = debug_names;
+  for (const std::string& kind : also_) wanted.push_back(labelled_name(kind));
+  return is_segmented(scene, folder_of(scene), config_.at("identity"), wanted);
 }
 
 }  // namespace gestalt::app

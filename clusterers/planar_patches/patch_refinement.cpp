@@ -47,6 +47,10 @@ class Refinement {
   void cut_spurs() {
     const int radius = tolerances_.spur_radius();
     if (radius == 0) return;
+    if (2 * radius >= std::min(patches_.labels.cols, patches_.labels.rows)) {  // no such square is in the image
+      patches_.labels.setTo(0);
+      return;
+    }
     cv::Mat_<std::uint8_t> reached;
     cv::dilate(cores(radius), reached, cv::Mat_<std::uint8_t>::ones(2 * radius + 1, 2 * radius + 1));
     patches_.labels.setTo(0, reached == 0);
@@ -144,12 +148,11 @@ class Refinement {
  private:
   int& label(int pixel) const { return labels_[pixel]; }
 
-  /// Marks the pixels around which the whole square is of one patch.
+  /// Marks the pixels around which the whole square is of one patch. It must fit in the image.
   cv::Mat_<std::uint8_t> cores(int radius) const {
     const cv::Mat_<int>& labels = patches_.labels;
     const int width = labels.cols, height = labels.rows, side = 2 * radius;
     cv::Mat_<std::uint8_t> core(labels.size(), std::uint8_t{0});
-    if (width <= side || height <= side) return core;
     // A square is of one patch when its rows are and its middle column is.
     cv::Mat_<std::uint8_t> in_row(labels.size(), std::uint8_t{0}), as_below(labels.size());
     tbb::parallel_for(0, height, [&](int v) {

@@ -244,5 +244,21 @@ TEST(PatchRefinement, CutsWhatNoSquareOfItsPatchReaches) {
   EXPECT_GT(cv::countNonZero(labels != expected), 100);
 }
 
+// With the focal length of a telescope a spur is wider than the image.
+TEST(PatchRefinement, CutsAllWhereNoSquareFits) {
+  const Frame kinect = synthesize(Category::complex_scene, 5, 1).frame;
+  for (const double focal : {525.0, 525.0 * 119, 525.0 * 120, 525.0 * 1e6}) {
+    Camera camera = kinect.camera;
+    camera.fx = camera.fy = focal;
+    Frame frame = kinect;
+    frame.camera = camera;
+    const Tolerances tolerances(frame, {});
+    const NormalMap normals{cv::Mat_<cv::Vec3f>(frame.depth.size(), cv::Vec3f(0, 0, -1)), {}};
+    const LabelledPatches one{cv::Mat_<int>(frame.depth.size(), 1), 1};
+    const cv::Mat_<int> tidied = tidy_outlines(frame, normals, tolerances, one).labels;
+    EXPECT_EQ(cv::countNonZero(tidied), focal < 525 * 120 ? int(tidied.total()) : 0) << focal;
+  }
+}
+
 }  // namespace
 }  // namespace gestalt

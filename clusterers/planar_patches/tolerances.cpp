@@ -46,7 +46,7 @@ float Tolerances::cosine(float z) const {
 }
 
 int Tolerances::spur_radius() const {
-  return params_.spur_radius > 0 ? std::max(1, int(std::lround(params_.spur_radius * scale_))) : 0;
+  return params_.spur_radius > 0 ? int(std::lround(std::clamp(params_.spur_radius * scale_, 1.0, 1e6))) : 0;
 }
 
 int Tolerances::min_patch_size() const {

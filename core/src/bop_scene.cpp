@@ -6,9 +6,9 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include "file_bytes.h"
 #include "gestalt/convert.h"
 #include "gestalt/error.h"
+#include "gestalt/file_bytes.h"
 #include "gestalt/learning_set.h"
 #include "image_set.h"
 #include "natural_order.h"

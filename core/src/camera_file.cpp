@@ -11,8 +11,8 @@
 #include <utility>
 
 #include "camera_info.h"
-#include "file_bytes.h"
 #include "gestalt/error.h"
+#include "gestalt/file_bytes.h"
 #include "gestalt/input.h"
 #include "gestalt/suggest.h"
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "file_bytes.h"
+#include "gestalt/file_bytes.h"
 
 #include <cerrno>
 #include <cstring>

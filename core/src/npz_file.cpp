@@ -11,8 +11,8 @@
 #include <numeric>
 #include <regex>
 
-#include "file_bytes.h"
 #include "gestalt/error.h"
+#include "gestalt/file_bytes.h"
 
 namespace gestalt {
 

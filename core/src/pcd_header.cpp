@@ -9,8 +9,8 @@
 #include <optional>
 #include <set>
 
-#include "file_bytes.h"
 #include "gestalt/error.h"
+#include "gestalt/file_bytes.h"
 #include "words.h"
 
 namespace gestalt {

@@ -7,8 +7,8 @@
 #include <string>
 #include <string_view>
 
-#include "file_bytes.h"
 #include "gestalt/error.h"
+#include "gestalt/file_bytes.h"
 #include "png_codec.h"
 
 namespace gestalt {

@@ -13,8 +13,8 @@
 #include <string>
 #include <string_view>
 
-#include "file_bytes.h"
 #include "gestalt/error.h"
+#include "gestalt/file_bytes.h"
 #include "gestalt/pcd_header.h"
 #include "gestalt/scene_path.h"
 #include "ply_header.h"

@@ -6,9 +6,9 @@
 #include <cmath>
 #include <sstream>
 
-#include "file_bytes.h"
 #include "gestalt/convert.h"
 #include "gestalt/error.h"
+#include "gestalt/file_bytes.h"
 #include "image_set.h"
 #include "words.h"
 

@@ -123,6 +123,8 @@ class PipelineTest(unittest.TestCase):
             gestalt.Pipeline(overrides=["model=no_such.json"])
         with self.assertRaisesRegex(gestalt.InputError, "no_such_scene"):
             self.pipeline.segment("no_such_scene")
+        with self.assertRaisesRegex(gestalt.TimeError, "time_budget of 1 ms"):
+            gestalt.Pipeline(overrides=["time_budget=1"]).segment(demo)
         with self.assertRaises(gestalt.OutputError):
             self.result.save("/dev/null/folder")
         self.assertTrue(issubclass(gestalt.InputError, gestalt.Error))

@@ -115,6 +115,26 @@ TEST_F(Interrupted, ResumingLeavesOutWhatWouldBeTheSame) {
   EXPECT_EQ(left_alone({"--camera", scenes / "camera.yaml"}), 4);
 }
 
+TEST_F(Interrupted, ResumingKnowsTheLabelsOfClouds) {
+  const fs::path cloud = folder.path() / "cloud.ply";
+  std::ofstream(cloud) << "ply\nformat ascii 1.0\nelement vertex 3\nproperty float x\nproperty float y\n"
+                          "property float z\nend_header\n0 0 1\n0.01 0 1\n0 0.01 1\n";
+  const auto resume = [&] {
+    return run_gestalt({"segment", cloud, "--camera", scenes / "camera.yaml", "--output", out, "--resume"});
+  };
+  expect_success(resume());
+  EXPECT_EQ(occurrences("is there already", resume().out), 1);
+  ASSERT_TRUE(fs::remove(out / "cloud" / "labels.pcd"));
+  EXPECT_EQ(occurrences("is there already", resume().out), 0);
+  EXPECT_TRUE(fs::exists(out / "cloud" / "labels.pcd"));
+}
+
+TEST_F(Interrupted, ResumingSeesThatAFileOfTheSceneIsGone) {
+  expect_success(segment());
+  fs::remove(scenes / names[1] / "rgb.png");
+  EXPECT_EQ(occurrences("is there already", segment({"--resume"}).out), 3);
+}
+
 TEST_F(Interrupted, ResumingDoesAgainWhatIsIncompleteOrOlderThanItsScene) {
   expect_success(segment());
   fs::remove(out / names[0] / "overlay.png");

@@ -4,10 +4,17 @@
 #include "cases.h"
 
 #include <gtest/gtest.h>
+#include <unistd.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <csignal>
+#include <cstdio>
 #include <cstdlib>
+#ifdef GESTALT_UNDER_SANITIZER
+#include <sanitizer/common_interface_defs.h>
+#endif
 
 #include "gestalt/parameters.h"
 
@@ -20,6 +27,29 @@ constexpr std::uint64_t usual_cases = 100;
 #else
 constexpr std::uint64_t usual_cases = 10'000;
 #endif
+
+volatile std::uint64_t seed_at_work = 0;
+
+void tell_seed() {
+  std::array<char, 80> line{};
+  const int length = std::snprintf(line.data(), line.size(), "again: GESTALT_PROPERTY_SEED=%llu\n",
+                                   static_cast<unsigned long long>(seed_at_work));
+  [[maybe_unused]] const ssize_t written = write(STDERR_FILENO, line.data(), std::size_t(length));
+}
+
+/// googletest's traces are lost then.
+void tell_seed_when_it_crashes() {
+#ifdef GESTALT_UNDER_SANITIZER
+  __sanitizer_set_death_callback(tell_seed);
+#else
+  for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT})
+    std::signal(signal, [](int received) {
+      tell_seed();
+      std::signal(received, SIG_DFL);
+      std::raise(received);
+    });
+#endif
+}
 
 std::uint64_t number(const char* variable, std::uint64_t otherwise) {
   const char* text = std::getenv(variable);
@@ -48,9 +78,11 @@ ParameterValue any_value(Chance& chance, const Parameter& parameter) {
 }  // namespace
 
 void for_each_case(const std::function<void(Chance&)>& work) {
+  tell_seed_when_it_crashes();
   const std::uint64_t first = number("GESTALT_PROPERTY_SEED", 1);
   const std::uint64_t count = number("GESTALT_PROPERTY_CASES", std::getenv("GESTALT_PROPERTY_SEED") ? 1 : usual_cases);
   for (std::uint64_t seed = first; seed < first + count; ++seed) {
+    seed_at_work = seed;
     SCOPED_TRACE("again: GESTALT_PROPERTY_SEED=" + std::to_string(seed));
     Chance chance(seed);
     work(chance);

@@ -82,7 +82,8 @@ std::function<int(int u, int v)> any_partition(Chance& chance) {
 
 Frame hostile_frame(Chance& chance) {
   const cv::Size size(chance.whole(1, 28), chance.whole(1, 22));
-  const double focal = chance.one_of(std::vector<double>{0.05, 1, 30, 525, 5000});
+  const double focal = chance.one_in(2) ? chance.one_of(std::vector<double>{0.05, 1, 30, 525, 5000})
+                                        : std::pow(10, chance.real(-1.5, 5.5));
   const Camera camera{size.width,
                       size.height,
                       focal,

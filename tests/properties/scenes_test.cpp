@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <map>
 #include <nlohmann/json.hpp>
 
 #include "gestalt/clusterer.h"
@@ -127,11 +128,14 @@ TEST(Relations, GiveFiniteValuesInTheirRanges) {
     const Frame frame = hostile_frame(chance);
     const PatchMap patches = hostile_patches(chance, frame);
     const SurfaceSet surfaces = model_surfaces(frame, patches, fitters, {});
+    std::map<std::string, std::shared_ptr<const Relation>> relations;  // they outlive the scene
+    for (const std::string& name : registry().names("relation"))
+      relations[name] = any_component<Relation>(chance, name);
     const Scene scene(frame, patches, surfaces);
     const std::vector<SurfacePair> pairs = some_pairs(chance, surfaces);
-    for (const std::string& name : registry().names("relation")) {
+    for (const auto& [name, relation] : relations) {
       SCOPED_TRACE(name);
-      expect_values_in_range(*any_component<Relation>(chance, name), scene, pairs);
+      expect_values_in_range(*relation, scene, pairs);
     }
   });
 }

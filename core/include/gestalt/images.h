@@ -32,7 +32,8 @@ class GESTALT_EXPORT Images {
   const cv::Mat& yuv() const;
 
   /// Relation::observe() of these images; null when the relation has no observation. Who asks while another thread is
-  /// at it makes it too, so that nobody waits; all are given the same one.
+  /// at it makes it too, so that nobody waits; all are given the same one. The relation must outlive the images, which
+  /// know it by its address.
   const Observation* observation(const Relation& relation) const;
 
  private:

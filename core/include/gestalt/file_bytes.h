@@ -5,9 +5,11 @@
 #include <filesystem>
 #include <string>
 
+#include "gestalt/export.h"
+
 namespace gestalt {
 
 /// The whole content of a regular file, not empty. Throws InputError naming the file and the reason.
-std::string read_bytes(const std::filesystem::path& file);
+GESTALT_EXPORT std::string read_bytes(const std::filesystem::path& file);
 
 }  // namespace gestalt
