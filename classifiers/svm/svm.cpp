@@ -4,12 +4,11 @@
 #include "svm.h"
 
 #include <algorithm>
-#include <cstdlib>
 #include <limits>
-#include <mutex>
 #include <nlohmann/json.hpp>
 
 #include "gestalt/error.h"
+#include "libsvm_random.h"
 #include "svm_predictor.h"
 
 namespace gestalt {
@@ -37,11 +36,9 @@ struct ModelDeleter {
 };
 using TrainedModel = std::unique_ptr<svm_model, ModelDeleter>;
 
-TrainedModel train_alone(const Problem& problem, const svm_parameter& parameter, int seed) {
-  static std::mutex mutex;
-  const std::lock_guard lock(mutex);
-  svm_set_print_string_function([](const char*) {});
-  std::srand(unsigned(seed));
+TrainedModel train_quietly(const Problem& problem, const svm_parameter& parameter, int seed) {
+  [[maybe_unused]] static const bool quiet = (svm_set_print_string_function([](const char*) {}), true);
+  seed_libsvm(unsigned(seed));
   return TrainedModel(svm_train(&problem.view, &parameter));
 }
 
@@ -97,7 +94,7 @@ std::unique_ptr<Predictor> Svm::train(const Samples& samples) const {
   if (const char* wrong = svm_check_parameter(&problem.view, &parameter))
     throw ModelError(std::string("libsvm cannot train: ") + wrong);
 
-  const TrainedModel model = train_alone(problem, parameter, params_.seed);
+  const TrainedModel model = train_quietly(problem, parameter, params_.seed);
   return std::make_unique<SvmPredictor>(state_of(*model, samples.columns), samples.columns);
 }
 

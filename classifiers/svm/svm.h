@@ -23,8 +23,7 @@ class Svm final : public Classifier {
 
   explicit Svm(const Params& params) : params_(params) {}
 
-  /// libsvm draws the folds from the C library's generator, which the process shares: trainings wait for each other,
-  /// and the result is the same for equal samples as long as no other thread calls rand() meanwhile.
+  /// The result is the same for equal samples and seed, whatever other threads train or draw meanwhile.
   std::unique_ptr<Predictor> train(const Samples& samples) const override;
   std::unique_ptr<Predictor> restore(const nlohmann::json& state, std::size_t columns) const override;
 

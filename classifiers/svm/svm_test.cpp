@@ -3,9 +3,12 @@
 
 #include "svm.h"
 
+#include <dlfcn.h>
 #include <gtest/gtest.h>
 
+#include <atomic>
 #include <cmath>
+#include <cstdlib>
 #include <nlohmann/json.hpp>
 #include <random>
 #include <thread>
@@ -68,15 +71,37 @@ TEST(Svm, ARestoredMachineIsTheTrainedOneToTheLastBit) {
   EXPECT_EQ(probabilities(*trained, samples), probabilities(*restored, samples));
 }
 
-TEST(Svm, TrainsTheSameInAnyThreadAndAfterOtherDraws) {
+TEST(Svm, TrainsTheSameWhileOtherThreadsTrain) {
   const Samples samples = disc(200);
   const auto first = Svm({}).train(samples)->state();
-  std::rand();
   std::vector<nlohmann::json> states(4);
   std::vector<std::thread> threads;
   for (auto& state : states) threads.emplace_back([&] { state = Svm({}).train(samples)->state(); });
   for (auto& thread : threads) thread.join();
   for (const auto& state : states) EXPECT_EQ(state, first);
+}
+
+// What other plugins with libsvm in them do, and a host that draws.
+TEST(Svm, SharesNoRandomNumbersWithTheProcess) {
+  using Rand = int (*)();
+  const auto program_rand = reinterpret_cast<Rand>(dlsym(RTLD_DEFAULT, "rand"));
+  ASSERT_TRUE(program_rand);
+  std::srand(5);
+  const int drawn = program_rand();
+  const Samples samples = disc(200);
+  const auto first = Svm({}).train(samples)->state();
+
+  std::atomic<bool> done{false};
+  std::thread other([&] {
+    while (!done) std::srand(7), program_rand();
+  });
+  for (int i = 0; i < 20; ++i) EXPECT_EQ(Svm({}).train(samples)->state(), first);
+  done = true;
+  other.join();
+
+  std::srand(5);
+  Svm({.seed = 9}).train(samples);
+  EXPECT_EQ(program_rand(), drawn);
 }
 
 TEST(Svm, TheSeedMovesTheSigmoidOnly) {

@@ -157,7 +157,7 @@ void write_result(const std::filesystem::path& folder, const Input& input, const
   if (!input.cloud.empty()) files.push_back({folder / "labels.pcd", point_labels(input, segmentation.labels)});
   std::move(more.begin(), more.end(), std::back_inserter(files));
   Json result = result_json(input, percept, segmentation, times, config);
-  for (const OutputFile& file : files) result["files"].push_back(file.path.filename().string());
+  for (const OutputFile& file : files) result["files"].push_back(file.file.filename().string());
   // A scene's name comes from a path, which may be no UTF-8.
   write_files(files, {folder / "result.json", result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"});
 }
