@@ -14,6 +14,7 @@
 
 #include "command.h"
 #include "gestalt/error.h"
+#include "gestalt/file_bytes.h"
 #include "gestalt/input.h"
 #include "gestalt/learning_set.h"
 #include "gestalt/pcd_header.h"
@@ -25,6 +26,8 @@ namespace fs = std::filesystem;
 using Description = nlohmann::ordered_json;
 
 namespace {
+
+constexpr std::uintmax_t largest_json = std::uintmax_t{256} << 20, largest_yaml = 1 << 20;  // bytes
 
 /// To six decimals: depth is stored in single precision, more would be noise.
 double rounded(double value) { return std::round(value * 1e6) / 1e6; }
@@ -141,8 +144,7 @@ Description describe_result(const nlohmann::json& result) {
 }
 
 Description describe_json(const fs::path& file) try {
-  std::ifstream in(file, std::ios::binary);
-  const nlohmann::json content = nlohmann::json::parse(in);
+  const nlohmann::json content = nlohmann::json::parse(read_bytes(file, largest_json));
   if (content.value("format", "") == "gestalt-model") return describe_model(content);
   if (content.value("format", "") == "gestalt-result") return describe_result(content);
   fail(file, "is JSON, but neither a model nor a result");
@@ -153,7 +155,7 @@ Description describe_json(const fs::path& file) try {
 Description describe_yaml(const fs::path& file) {
   YAML::Node content;
   try {
-    content = YAML::LoadFile(file.string());
+    content = YAML::Load(read_bytes(file, largest_yaml));
   } catch (const YAML::Exception& error) {
     fail(file, std::string("is no YAML: ") + error.what());
   }

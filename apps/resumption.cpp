@@ -20,8 +20,10 @@ using nlohmann::json;
 
 namespace {
 
+constexpr std::uintmax_t largest_file = std::uintmax_t{256} << 20;  // of a model, which has been read
+
 /// "" of no path.
-std::string hash_of(const fs::path& file) { return file.empty() ? "" : content_hash(read_bytes(file)); }
+std::string hash_of(const fs::path& file) { return file.empty() ? "" : content_hash(read_bytes(file, largest_file)); }
 
 /// The folder tells of files that were removed.
 std::vector<fs::path> files_of(const fs::path& scene) {

@@ -76,6 +76,7 @@ TEST(Svm, TrainsTheSameWhileOtherThreadsTrain) {
   const auto first = Svm({}).train(samples)->state();
   std::vector<nlohmann::json> states(4);
   std::vector<std::thread> threads;
+  threads.reserve(states.size());
   for (auto& state : states) threads.emplace_back([&] { state = Svm({}).train(samples)->state(); });
   for (auto& thread : threads) thread.join();
   for (const auto& state : states) EXPECT_EQ(state, first);

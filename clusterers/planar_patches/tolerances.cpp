@@ -30,7 +30,7 @@ double Tolerances::noise_in_pixels(float z) const { return noise_.at(z) * focal_
 
 int Tolerances::window_radius(float z) const {
   const double radius = std::max(params_.window_radius * scale_, params_.window_noise * noise_in_pixels(z));
-  return int(std::clamp(radius, 1.0, largest_window) + 0.5);
+  return int(std::lround(std::clamp(radius, 1.0, largest_window)));
 }
 
 float Tolerances::squared_reach(float z) const {

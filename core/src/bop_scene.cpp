@@ -22,11 +22,12 @@ using nlohmann::json;
 namespace {
 
 constexpr const char* cameras_file = "scene_camera.json";
+constexpr std::uintmax_t largest_cameras = std::uintmax_t{1} << 28;  // bytes
 constexpr int most_masks = 6552;
 
 json read_cameras(const fs::path& scene) {
   const fs::path file = scene / cameras_file;
-  json cameras = json::parse(read_bytes(file), nullptr, false);
+  json cameras = json::parse(read_bytes(file, largest_cameras), nullptr, false);
   if (!cameras.is_object() || cameras.empty())
     throw InputError(file.string() + ": is no map of image numbers to cameras, in JSON; take the file of the data set");
   return cameras;

@@ -88,8 +88,7 @@ class Numbers {
 
 YAML::Node parse(const fs::path& file) {
   constexpr std::size_t longest = 1 << 16;
-  const std::string text = read_bytes(file);
-  if (text.size() > longest) throw InputError(file.string() + ": is too long for a camera file; check the path");
+  const std::string text = read_bytes(file, longest);
   try {
     return YAML::Load(text);
   } catch (const YAML::Exception& error) {

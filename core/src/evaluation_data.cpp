@@ -2,17 +2,20 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
-#include <fstream>
 #include <limits>
 #include <random>
+#include <sstream>
 
 #include "gestalt/error.h"
 #include "gestalt/evaluation.h"
+#include "gestalt/file_bytes.h"
 #include "png_file.h"
 
 namespace gestalt {
 
 namespace {
+
+constexpr std::uintmax_t largest_table = std::uintmax_t{1} << 28;  // bytes
 
 std::vector<std::string> split_at_commas(std::string line) {
   if (!line.empty() && line.back() == '\r') line.pop_back();
@@ -37,8 +40,9 @@ std::filesystem::path folder_of(const std::filesystem::path& scene) {
 cv::Mat_<std::uint16_t> read_label_image(const std::filesystem::path& file) { return read_label_png(file); }
 
 std::map<std::string, std::string> read_categories(const std::filesystem::path& file) {
-  std::ifstream in(file);
-  if (!in) return {};
+  std::error_code error;
+  if (!std::filesystem::exists(file, error)) return {};
+  std::istringstream in(read_bytes(file, largest_table));
   std::string line;
   std::getline(in, line);
   const std::vector<std::string> head = split_at_commas(line);

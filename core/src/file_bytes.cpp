@@ -11,7 +11,7 @@
 
 namespace gestalt {
 
-std::string read_bytes(const std::filesystem::path& file) {
+std::string read_bytes(const std::filesystem::path& file, std::uintmax_t most) {
   const auto fail = [&](const std::string& what) { throw InputError(file.string() + ": " + what); };
   std::error_code error;
   const auto status = std::filesystem::status(file, error);
@@ -25,6 +25,8 @@ std::string read_bytes(const std::filesystem::path& file) {
   const auto size = std::filesystem::file_size(file, error);
   if (!in || error) fail("cannot be read: " + (error ? error.message() : std::string(std::strerror(errno))));
   if (size == 0) fail("is empty; write or copy it again");
+  if (size > most)
+    fail("has " + std::to_string(size) + " bytes; such files of up to " + std::to_string(most) + " bytes can be read");
   std::string bytes(size, '\0');
   if (!in.read(bytes.data(), std::streamsize(size))) fail("cannot be read to its end; it may be changing on disk");
   return bytes;

@@ -20,8 +20,10 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::size_t most_bytes = std::size_t{1} << 30;  // of an array
+constexpr std::size_t most_bytes = std::size_t{1} << 30;  // of a file's arrays together
 constexpr std::size_t most_header = 1 << 16;
+constexpr std::size_t most_inflated = 1032;  // bytes that deflate makes of one at most (zlib's technical details)
+constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 32;  // bytes; other arrays may be in it
 constexpr const char* magic = "\x93NUMPY";
 
 struct CloseArchive {
@@ -94,15 +96,28 @@ NpyArray parse(const std::string& place, std::string bytes) {
   return array;
 }
 
-NpyArray read_array(const std::string& place, zip_t* archive, zip_int64_t index) {
+/// Bytes of an array that its file's directory claims, when that may be: of a file of so many bytes, of whose arrays so
+/// many may still be read.
+std::size_t claimed_size(const std::string& place, zip_t* archive, zip_uint64_t index, std::size_t file_size,
+                         std::size_t left) {
   zip_stat_t stat;
-  if (zip_stat_index(archive, zip_uint64_t(index), 0, &stat) != 0 || !(stat.valid & ZIP_STAT_SIZE))
+  constexpr zip_uint64_t needed = ZIP_STAT_SIZE | ZIP_STAT_COMP_SIZE | ZIP_STAT_COMP_METHOD;
+  if (zip_stat_index(archive, index, 0, &stat) != 0 || (stat.valid & needed) != needed)
     throw InputError(place + ": has no size in the file's directory; write the file again");
-  if (stat.size > most_bytes + most_header) throw InputError(place + ": claims more than 2^30 bytes; divide it");
-  const std::unique_ptr<zip_file_t, CloseEntry> entry(zip_fopen_index(archive, zip_uint64_t(index), 0));
+  if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE)
+    throw InputError(place + ": is packed as numpy does not; write it with numpy.savez_compressed");
+  if (stat.size > left)
+    throw InputError(place + ": claims, with the arrays before it, more than 2^30 bytes; divide the file");
+  if (stat.size / most_inflated > std::min<std::size_t>(stat.comp_size, file_size))
+    throw InputError(place + ": claims more bytes than its packed ones can be; write the file again");
+  return stat.size;
+}
+
+NpyArray read_array(const std::string& place, zip_t* archive, zip_uint64_t index, std::size_t size) {
+  const std::unique_ptr<zip_file_t, CloseEntry> entry(zip_fopen_index(archive, index, 0));
   const auto damaged = [&](const char* reason) { return InputError(place + ": cannot be read (" + reason + ")"); };
   if (!entry) throw damaged(zip_strerror(archive));
-  std::string bytes(stat.size, '\0');
+  std::string bytes(size, '\0');
   if (zip_fread(entry.get(), bytes.data(), bytes.size()) != zip_int64_t(bytes.size()))
     throw damaged(zip_file_strerror(entry.get()));
   char more = 0;  // at its end the checksum is compared
@@ -152,16 +167,21 @@ double NpyArray::at(std::size_t index) const {
 }
 
 std::map<std::string, NpyArray> read_npz(const fs::path& file, std::span<const std::string> names) {
-  const std::string bytes = read_bytes(file);
+  const std::string bytes = read_bytes(file, largest_file);
   const Archive archive = open(file, bytes);
   std::map<std::string, NpyArray> arrays;
-  for (const std::string& name : names)
-    if (const zip_int64_t index = zip_name_locate(archive.get(), (name + ".npy").c_str(), 0); index >= 0) {
-      NpyArray array = read_array(file.string() + ": array '" + name + "'", archive.get(), index);
-      if (array.kind == 'f' && array.size < 4)
-        throw InputError(file.string() + ": array '" + name + "' is of half precision; write it as float32");
-      arrays.emplace(name, std::move(array));
-    }
+  std::size_t left = most_bytes;
+  for (const std::string& name : names) {
+    const zip_int64_t found = zip_name_locate(archive.get(), (name + ".npy").c_str(), 0);
+    if (found < 0) continue;
+    const std::string place = file.string() + ": array '" + name + "'";
+    const auto index = zip_uint64_t(found);
+    const std::size_t size = claimed_size(place, archive.get(), index, bytes.size(), left);
+    left -= size;
+    NpyArray array = read_array(place, archive.get(), index, size);
+    if (array.kind == 'f' && array.size < 4) throw InputError(place + " is of half precision; write it as float32");
+    arrays.emplace(name, std::move(array));
+  }
   return arrays;
 }
 

@@ -25,7 +25,8 @@ struct NpyArray {
 
 /// The arrays of a .npz file (as numpy.savez or savez_compressed writes it) that have one of these names. Throws
 /// InputError naming the file and the array: for what is no such file, for arrays of objects, Fortran order or big
-/// endian, and for arrays of more than 2^30 bytes, before memory is taken for them.
+/// endian, and, before memory is taken for them, for arrays of more than 2^30 bytes together or more than their packed
+/// bytes can be.
 std::map<std::string, NpyArray> read_npz(const std::filesystem::path& file, std::span<const std::string> names);
 
 /// The bytes of a compressed .npz file. Arrays by their names. Throws OutputError.

@@ -199,6 +199,6 @@ const char* to_string(PcdHeader::Data data) {
 
 PcdHeader parse_pcd_header(const fs::path& file, std::string_view bytes) { return HeaderReader(file, bytes).read(); }
 
-PcdHeader read_pcd_header(const fs::path& file) { return parse_pcd_header(file, read_bytes(file)); }
+PcdHeader read_pcd_header(const fs::path& file) { return parse_pcd_header(file, read_bytes(file, largest_cloud_file)); }
 
 }  // namespace gestalt

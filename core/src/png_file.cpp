@@ -17,8 +17,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uint64_t largest_image = std::uint64_t{1} << 26;  // pixels
-constexpr std::uint32_t longest_side = 1u << 20;                 // pixels
+constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 30;  // bytes
+constexpr std::uint64_t largest_image = std::uint64_t{1} << 26;   // pixels
+constexpr std::uint32_t longest_side = 1u << 20;                  // pixels
 
 /// What the IHDR chunk declares (PNG specification, 11.2.2).
 struct PngHeader {
@@ -88,14 +89,14 @@ cv::Mat decode(const fs::path& file, std::string_view bytes, const PngHeader& he
 }  // namespace
 
 cv::Mat read_colour_png(const fs::path& file) {
-  const std::string bytes = read_bytes(file);
+  const std::string bytes = read_bytes(file, largest_file);
   const PngHeader header = check_png(file, bytes);
   if (header.bits > 8) fail(file, "is " + header.pixels() + "; save colour with 8 bits a channel");
   return decode(file, bytes, header, CV_8UC3);
 }
 
 cv::Mat_<std::uint16_t> read_depth_png(const fs::path& file) {
-  const std::string bytes = read_bytes(file);
+  const std::string bytes = read_bytes(file, largest_file);
   const PngHeader header = check_png(file, bytes);
   if (header.bits != 16 || header.colour_type != 0)
     fail(file, "is " + header.pixels() +
@@ -105,7 +106,7 @@ cv::Mat_<std::uint16_t> read_depth_png(const fs::path& file) {
 }
 
 cv::Mat_<std::uint16_t> read_label_png(const fs::path& file) {
-  const std::string bytes = read_bytes(file);
+  const std::string bytes = read_bytes(file, largest_file);
   const PngHeader header = check_png(file, bytes);
   // Fewer bits are packed, several labels to a byte.
   if ((header.bits != 8 && header.bits != 16) || header.colour_type != 0)

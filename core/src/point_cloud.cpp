@@ -244,7 +244,7 @@ bool PointCloud::visible(std::size_t i) const {
 }
 
 PointCloud read_point_cloud(const fs::path& file) {
-  const std::string bytes = read_bytes(file);
+  const std::string bytes = read_bytes(file, largest_cloud_file);
   const PcdHeader header =
       lower_extension(file) == ".ply" ? parse_ply_header(file, bytes) : parse_pcd_header(file, bytes);
   const std::string points = read_body(file, header, bytes);

@@ -187,9 +187,7 @@ auto of_file(const fs::path& file, const Work& work) {
 }
 
 json parse(const fs::path& file) {
-  std::error_code error;
-  if (const auto size = fs::file_size(file, error); !error && size > largest_file) fail("is larger than any result");
-  const std::string bytes = read_bytes(file);
+  const std::string bytes = read_bytes(file, largest_file);
   try {
     return json::parse(bytes);
   } catch (const json::parse_error& problem) {

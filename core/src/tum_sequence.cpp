@@ -21,7 +21,8 @@ namespace {
 // What the benchmark's page says of its files: the factory's camera, and 5000 units a metre.
 constexpr Camera tum_camera{640, 480, 525, 525, 319.5, 239.5};
 constexpr double tum_depth_scale = 1.0 / 5000;
-constexpr double longest_difference = 0.02;  // s, of the benchmark's own association
+constexpr std::uintmax_t largest_list = std::uintmax_t{1} << 28;  // bytes
+constexpr double longest_difference = 0.02;                       // s, of the benchmark's own association
 
 struct Stamped {
   double time;
@@ -31,7 +32,7 @@ struct Stamped {
 /// Lines "time file"; # begins a comment.
 std::vector<Stamped> read_list(const fs::path& sequence, const char* name) {
   const fs::path list = sequence / name;
-  std::istringstream text(read_bytes(list));
+  std::istringstream text(read_bytes(list, largest_list));
   std::vector<Stamped> images;
   std::string line;
   for (int number = 1; std::getline(text, line); ++number) {
@@ -83,6 +84,7 @@ std::vector<TumFrame> find_tum_frames(const fs::path& sequence) {
                      ": no colour image is within 0.02 s of a depth image; check rgb.txt and depth.txt");
   std::stable_sort(frames.begin(), frames.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   std::vector<TumFrame> sorted;
+  sorted.reserve(frames.size());
   for (auto& [time, frame] : frames) sorted.push_back(std::move(frame));
   return sorted;
 }

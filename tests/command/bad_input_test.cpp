@@ -76,6 +76,26 @@ TEST_F(BadInput, ANameThatWouldLeaveTheOutputFolder) {
   EXPECT_EQ(files_below(stranger).size(), 2u);
 }
 
+TEST_F(BadInput, FilesThatWouldFillTheMemory) {
+  const auto grow = [&](const fs::path& file) {
+    std::ofstream(file, std::ios::app).close();
+    fs::resize_file(file, std::uintmax_t{1} << 33);  // takes no room on the disk
+    return file;
+  };
+  for (const char* name : {"a.pcd", "a.ply", "a.npz"})
+    refuse(grow(folder.path() / name), 3, {name, "8589934592 bytes"}, {"--camera", scene / "camera.yaml"});
+  for (const char* name : {"depth.png", "rgb.png", "label.png", "camera.yaml"}) {
+    const fs::path spoilt = folder.path() / "spoilt";
+    fs::copy(scene, spoilt);
+    grow(spoilt / name);
+    refuse(spoilt, 3, {name, "8589934592 bytes"});
+    fs::remove_all(spoilt);
+  }
+  for (const char* name : {"a.json", "a.yaml"})
+    expect_refused(run_gestalt({"info", grow(folder.path() / name)}), 3, {name, "8589934592 bytes"});
+  refuse(scene, 2, {"a.json", "8589934592 bytes"}, {"--set", "model=" + (folder.path() / "a.json").string()});
+}
+
 TEST_F(BadInput, EmptyFolder) {
   fs::create_directory(folder.path() / "empty");
   refuse(folder.path() / "empty", 3, {"empty", "holds no scene", "depth.png"});

@@ -149,7 +149,17 @@ class Npz(FormatsTest):
             with archive.open("depth.npy", "w", force_zip64=True) as entry:
                 for _ in range(1100):
                     entry.write(bytes(1 << 20))
-        self.refused("damaged.npz", "claims more than 2^30 bytes", words=("info", file))
+        self.refused("damaged.npz", "more than 2^30 bytes", words=("info", file))
+        with zipfile.ZipFile(file, "w", zipfile.ZIP_BZIP2) as archive:
+            archive.writestr("depth.npy", short.getvalue())
+        self.refused("damaged.npz", "packed as numpy does not", words=("info", file))
+        numpy.savez_compressed(file, depth=depth, K=K)
+        claim = bytearray(file.read_bytes())  # a few bytes that say they become a gigabyte
+        for signature, field in ((b"PK\x03\x04", 22), (b"PK\x01\x02", 24)):
+            at = claim.index(signature) + field
+            claim[at:at + 4] = (2**30 - 1).to_bytes(4, "little")
+        file.write_bytes(claim)
+        self.refused("damaged.npz", "array 'depth'", words=("info", file))
 
 
 class Ply(FormatsTest):

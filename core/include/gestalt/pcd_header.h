@@ -3,6 +3,7 @@
 #pragma once
 
 #include <cstddef>
+#include <cstdint>
 #include <filesystem>
 #include <string>
 #include <string_view>
@@ -11,6 +12,9 @@
 #include "gestalt/export.h"
 
 namespace gestalt {
+
+/// Of a PCD or PLY file.
+constexpr std::uintmax_t largest_cloud_file = std::uintmax_t{1} << 32;  // bytes
 
 /// What the header of a PCD file (version 0.6 or 0.7) declares, checked for consistency.
 struct PcdHeader {
