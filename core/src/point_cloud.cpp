@@ -104,6 +104,9 @@ std::string read_binary(const fs::path& file, const PcdHeader& header, std::stri
   return std::string(bytes.substr(header.body, need));
 }
 
+/// Bytes that LZF makes of one at most: three name 264 earlier ones.
+constexpr std::size_t most_expanded = 88;
+
 /// Compressed by LZF are the first elements' values of all points, then the second ones', and so on.
 std::string read_compressed(const fs::path& file, const PcdHeader& header, std::string_view bytes) {
   if (header.find("_"))
@@ -118,6 +121,9 @@ std::string read_compressed(const fs::path& file, const PcdHeader& header, std::
   if (sizes[1] != need)
     fail(file, "promises " + std::to_string(sizes[1]) + " uncompressed bytes, its header " + std::to_string(need) +
                    "; header and data do not belong together, write it again");
+  if (need / most_expanded > sizes[0])
+    fail(file, "promises " + std::to_string(need) + " bytes of points, more than its " + std::to_string(sizes[0]) +
+                   " compressed ones can be; write it again");
   std::string fields(need, '\0');
   if (lzf_decompress(bytes.data() + header.body + sizeof sizes, sizes[0], fields.data(), unsigned(need)) != need)
     fail(file, "has damaged compressed data; copy or write it again");

@@ -238,6 +238,10 @@ TEST_F(SceneFolder, IsRefusedBeforeDecodingWhenItDeclaresTooManyPixels) {
   bomb.replace(29, 4, std::string("\xdc\x33\x93\x1b", 4));
   folder_.write("s/depth.png", bomb);
   expect_refusal({"depth.png: declares 16384x16384 pixels", "2^26"});
+  bomb.replace(16, 8, std::string("\0\0\x20\0\0\0\x20\0", 8));  // 8192 x 8192
+  bomb.replace(29, 4, std::string("\x07\x51\x49\xc6", 4));
+  folder_.write("s/depth.png", bomb);
+  expect_refusal({"depth.png: declares 8192x8192 pixels", "more than its", "bytes can be"});
 }
 
 class CameraYaml : public testing::Test {

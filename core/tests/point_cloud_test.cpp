@@ -310,7 +310,8 @@ TEST_F(Pcd, RefusesMorePointsThanTheFileHolds) {
   expect_parts(error_of(write(huge("binary\n0123"))), {"has 4 bytes", "promises 805306368", "truncated"});
   expect_parts(error_of(write(huge("binary_compressed\n0123"))), {"has 4 bytes of compressed points"});
   const std::string promised("\x02\0\0\0\0\0\0\x30\0x", 10);
-  expect_parts(error_of(write(huge("binary_compressed\n" + promised))), {"damaged compressed data"});
+  expect_parts(error_of(write(huge("binary_compressed\n" + promised))),
+               {"promises 805306368 bytes", "more than its 2 compressed ones"});
   expect_parts(error_of(write_with("WIDTH 2\nHEIGHT 2\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 4",
                                    "WIDTH 67108864\nHEIGHT 67108864\nPOINTS 4503599627370496")),
                {"c.pcd:9: ", "2^26"});
