@@ -114,11 +114,14 @@ std::vector<SourceScene> open(const Options& options) {
 fs::path write(const Options& options, const std::string& set, const std::string& name, const ConvertedScene& scene) {
   const fs::path place = options.output / set / name;
   if (options.to == "scene") {
+    refuse_link(place);
     write_scene_folder(place, scene.images, scene.camera, scene.depth_scale);
     return place;
   }
   const fs::path file = place.parent_path() / (name + "." + options.to);
-  write_file(file, options.to == "npz" ? npz_scene(scene) : options.to == "pcd" ? pcd_scene(scene) : ply_scene(scene));
+  write_files({{file, options.to == "npz"   ? npz_scene(scene)
+                      : options.to == "pcd" ? pcd_scene(scene)
+                                            : ply_scene(scene)}});
   if (options.to == "ply") write_camera(scene.camera, place.parent_path());  // nothing in it tells the camera
   return file;
 }

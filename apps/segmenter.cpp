@@ -85,6 +85,7 @@ SegmentedScene Segmenter::segment(const std::filesystem::path& scene) const {
   const Segmentation segmentation = pipeline_.decide(percept, models_, &times);
   watch.reset();
   const std::filesystem::path folder = folder_of(scene);
+  refuse_link(folder);
   remove_abandoned(folder);
   std::vector<OutputFile> more;
   if (debug_images_) more = debug_images(folder, pipeline_, input.frame, percept, segmentation.graph);

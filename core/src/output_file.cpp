@@ -35,9 +35,15 @@ pid_t writer_of(const std::string& name) {
 /// A written file that still has its temporary name, and is removed if it keeps that.
 class StagedFile {
  public:
-  StagedFile(const fs::path& file, std::string_view bytes) : file_(file), target_(target()), temporary_(target_) {
+  /// What becomes of a symbolic link that has the file's name.
+  enum class Link { followed, replaced };
+
+  StagedFile(const fs::path& file, std::string_view bytes, Link link = Link::replaced)
+      : file_(file), target_(target(link)), temporary_(target_) {
     temporary_ += temporary_mark;
     temporary_ += std::to_string(::getpid());
+    std::error_code ignored;
+    fs::remove(temporary_, ignored);  // else a link of that name would be followed
     errno = 0;
     std::ofstream out(temporary_, std::ios::binary);
     out.write(bytes.data(), std::streamsize(bytes.size()));
@@ -70,11 +76,14 @@ class StagedFile {
     throw OutputError(file_.string() + ": cannot be written: " + why);
   }
 
-  /// The file behind the name, in a folder that exists. A device would be replaced by the renamed file, not written.
-  fs::path target() const {
+  /// The file, or the one behind the link, in a folder that exists. A device would be replaced by the renamed file, not
+  /// written.
+  fs::path target(Link link) const {
     std::error_code error;
     if (file_.has_parent_path()) fs::create_directories(file_.parent_path(), error);
     if (error) fail(error.message() + "; choose another --output");
+    const bool is_replaced = link == Link::replaced && fs::is_symlink(fs::symlink_status(file_, error));
+    if (is_replaced) return file_;
     const fs::file_status status = fs::status(file_, error);
     if (!fs::exists(status)) return file_;
     if (fs::is_directory(status)) fail("it is a folder; choose another --output");
@@ -96,7 +105,9 @@ class StagedFile {
 
 }  // namespace
 
-void write_file(const fs::path& file, std::string_view bytes) { StagedFile(file, bytes).publish(); }
+void write_file(const fs::path& file, std::string_view bytes) {
+  StagedFile(file, bytes, StagedFile::Link::followed).publish();
+}
 
 void write_files(const std::vector<OutputFile>& files) {
   std::deque<StagedFile> staged;
@@ -111,6 +122,14 @@ void write_files(const std::vector<OutputFile>& files, const OutputFile& last) {
   staged_last.retract();
   for (StagedFile& file : staged) file.publish();
   staged_last.publish();
+}
+
+void refuse_link(const fs::path& folder) {
+  std::error_code error;
+  if (fs::is_symlink(fs::symlink_status(folder, error)))
+    throw OutputError(folder.string() +
+                      ": is a link, which may lead out of the output folder; remove it or choose "
+                      "another --output");
 }
 
 void remove_abandoned(const fs::path& folder) {

@@ -368,6 +368,24 @@ TEST_F(Segment, ASceneMayHaveAnyName) {
   }
 }
 
+// A stranger's scenes, with links among them, may lie where the results go.
+TEST_F(Segment, LinksBelowTheOutputFolderAreNotFollowed) {
+  const fs::path scene = folder.path() / "scenes" / "a", mine = folder.write("mine.txt", "mine");
+  fs::create_directory(folder.path() / "scenes");
+  fs::copy(synthetic_scene(), scene, fs::copy_options::recursive);
+  fs::copy(synthetic_scenes() / "camera.yaml", scene);
+  for (const char* name : {"labels.png", "result.json"}) fs::create_symlink(mine, scene / name);
+  expect_success(run_gestalt({"segment", scene, "--output", folder.path() / "scenes"}));
+  EXPECT_EQ(content(mine), "mine");
+  for (const char* name : {"labels.png", "result.json"}) EXPECT_FALSE(fs::is_symlink(scene / name)) << name;
+
+  fs::create_directory(out);
+  fs::create_directory(folder.path() / "elsewhere");
+  fs::create_directory_symlink(folder.path() / "elsewhere", out / "a");
+  expect_refused(segment({scene}), 1, {"a: is a link", "out of the output folder"});
+  EXPECT_EQ(files_below(folder.path() / "elsewhere"), Texts{});
+}
+
 TEST_F(Segment, AnInterruptedRunLeavesWholeScenesOnly) {
   constexpr int count = 40;  // enough to be interrupted in
   fs::create_directories(folder.path() / "scenes");

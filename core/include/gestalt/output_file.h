@@ -27,13 +27,18 @@ struct OutputFile {
   std::string bytes;
 };
 
-/// write_file for files that belong together: none gets its final name before all are written.
+/// write_file for files that belong together: none gets its final name before all are written. Where a name is a
+/// symbolic link, the file takes its place: files in a folder may be named and put there by strangers.
 GESTALT_EXPORT void write_files(const std::vector<OutputFile>& files);
 
 /// The same with a file that tells that all others are there: the old one is removed before any other gets its final
 /// name, the new one gets its own last. So the others belong to it wherever it is found, even when the process was
 /// killed.
 GESTALT_EXPORT void write_files(const std::vector<OutputFile>& files, const OutputFile& last);
+
+/// Throws OutputError where a folder is a symbolic link: one that is named by data, as a scene's is, must not lead out
+/// of the output folder.
+GESTALT_EXPORT void refuse_link(const std::filesystem::path& folder);
 
 /// Removes the temporary files that processes which were killed have left in a folder; nothing where there is none.
 GESTALT_EXPORT void remove_abandoned(const std::filesystem::path& folder);
