@@ -112,13 +112,13 @@ std::vector<SourceScene> open(const Options& options) {
 
 /// Where the scene is then.
 fs::path write(const Options& options, const std::string& set, const std::string& name, const ConvertedScene& scene) {
-  const fs::path place = options.output / set / name;
+  fs::path place = options.output / set / name;
   if (options.to == "scene") {
     refuse_link(place);
     write_scene_folder(place, scene.images, scene.camera, scene.depth_scale);
     return place;
   }
-  const fs::path file = place.parent_path() / (name + "." + options.to);
+  fs::path file = place.parent_path() / (name + "." + options.to);
   write_files({{file, options.to == "npz"   ? npz_scene(scene)
                       : options.to == "pcd" ? pcd_scene(scene)
                                             : ply_scene(scene)}});
