@@ -20,7 +20,7 @@ namespace {
 constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 30;  // bytes
 constexpr std::uint64_t largest_image = std::uint64_t{1} << 26;   // pixels
 constexpr std::uint32_t longest_side = 1u << 20;                  // pixels
-constexpr std::uint64_t most_inflated = 8 * 1032;                 // pixels, of a bit each, in a byte of deflate
+constexpr std::uint64_t most_inflated = std::uint64_t{8} * 1032;  // pixels, of a bit each, in a byte of deflate
 
 /// What the IHDR chunk declares (PNG specification, 11.2.2).
 struct PngHeader {

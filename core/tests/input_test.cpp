@@ -159,7 +159,7 @@ TEST_F(SceneFolder, IsRefusedWithoutDepth) {
 TEST_F(SceneFolder, IsRefusedWhenDepthIsEmptyOrNoPng) {
   folder_.write("s/depth.png", "");
   expect_refusal({"depth.png: is empty"});
-  folder_.write("s/depth.png", "II*\0 a float TIFF");
+  folder_.write("s/depth.png", "II* a float TIFF");
   expect_refusal({"depth.png: is no PNG", "convert"});
 }
 

@@ -137,7 +137,7 @@ void expect_seen_points(const Input& input, bool colour, bool labels) {
 class Written : public testing::TestWithParam<std::string> {
  protected:
   fs::path write(const pcl::PCLPointCloud2& cloud) const {
-    const fs::path file = folder_.path() / "c.pcd";
+    fs::path file = folder_.path() / "c.pcd";
     pcl::PCDWriter writer;
     const Eigen::Vector4f origin = Eigen::Vector4f::Zero();
     const Eigen::Quaternionf turn = Eigen::Quaternionf::Identity();
@@ -303,7 +303,7 @@ TEST_F(Pcd, RefusesAWrongHeader) {
 }
 
 TEST_F(Pcd, RefusesMorePointsThanTheFileHolds) {
-  const auto huge = [](std::string data) {
+  const auto huge = [](const std::string& data) {
     return "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 8192\nHEIGHT 8192\nPOINTS 67108864\nDATA " + data;
   };
   expect_parts(error_of(write(huge("ascii\n0 0 1\n"))), {"has 1 rows", "promises 67108864"});
