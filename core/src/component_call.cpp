@@ -31,13 +31,13 @@ class Place {
   Place(const Place&) = delete;
   Place& operator=(const Place&) = delete;
 
-  void set(ComponentName name) { name_.store(name, std::memory_order_relaxed); }
+  void set(ComponentName name) { name_.store(name, std::memory_order_release); }
 
   static std::vector<ComponentName> taken() {
     const std::lock_guard lock(mutex());
     std::set<ComponentName> names;
     for (const Place* place : all())
-      if (const ComponentName name = place->name_.load(std::memory_order_relaxed)) names.insert(name);
+      if (const ComponentName name = place->name_.load(std::memory_order_acquire)) names.insert(name);
     return {names.begin(), names.end()};
   }
 
@@ -69,7 +69,7 @@ ComponentName component_name(const std::string& kind, const std::string& name) {
 RunningComponent::RunningComponent(ComponentName name) noexcept : before_(running) {
   running = name;
   place.set(name);
-  begun_last.store(name, std::memory_order_relaxed);
+  begun_last.store(name, std::memory_order_release);
 }
 
 RunningComponent::~RunningComponent() {
@@ -77,7 +77,7 @@ RunningComponent::~RunningComponent() {
   place.set(before_);
 }
 
-const char* running_component() noexcept { return running ? running : begun_last.load(std::memory_order_relaxed); }
+const char* running_component() noexcept { return running ? running : begun_last.load(std::memory_order_acquire); }
 
 std::vector<const char*> running_components() { return Place::taken(); }
 

@@ -5,6 +5,8 @@
 
 #include <gtest/gtest.h>
 
+#include <atomic>
+#include <chrono>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <thread>
@@ -156,6 +158,24 @@ TEST(RunningComponent, IsThatOfTheThreadElseTheLastBegun) {
   });
   EXPECT_EQ(inside, "solver 'given'");
   EXPECT_EQ(elsewhere, "solver 'given'");
+}
+
+// The thread is older than the names, so that only what it reads them by makes them whole for it.
+TEST(RunningComponent, IsSeenByAThreadThatWatches) {
+  std::atomic<bool> seen{false}, over{false};
+  std::thread watcher([&] {
+    while (!seen && !over)
+      for (const char* name : running_components())
+        if (std::string(name) == "solver 'given'") seen = true;
+  });
+  failure_of_solver([&](std::size_t n) {
+    const auto patience = std::chrono::steady_clock::now() + std::chrono::minutes(1);
+    while (!seen && std::chrono::steady_clock::now() < patience) std::this_thread::yield();
+    return std::vector<int>(n, 0);
+  });
+  over = true;
+  watcher.join();
+  EXPECT_TRUE(seen);
 }
 
 }  // namespace
