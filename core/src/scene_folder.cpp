@@ -75,7 +75,7 @@ void write_camera(const Camera& camera, const fs::path& folder) {
   const fs::path file = folder / "camera.yaml";
   if (fs::exists(file) && read_all(file) != text)
     throw OutputError(file.string() + ": the folder holds scenes of another camera; choose another --output");
-  write_file(file, text);
+  write_files({{file, text}});
 }
 
 void merge_categories(const fs::path& file, const std::map<std::string, std::string>& category_of_scene) {
@@ -102,7 +102,7 @@ void merge_categories(const fs::path& file, const std::map<std::string, std::str
   for (const auto& [scene, category] : category_of_scene) rows[scene] = category;
   std::string text = header + '\n';
   for (const auto& [scene, category] : rows) text.append(scene).append(",").append(category).append("\n");
-  write_file(file, text);
+  write_files({{file, text}});
 }
 
 }  // namespace gestalt

@@ -169,10 +169,8 @@ std::optional<ExperimentResult> ResultFile::read(const std::function<void(const 
 
 void ResultFile::write(const ExperimentResult& result) const {
   const Json json = to_json(result);
-  write_file(
-      file_,
-      Json{{"format", format_name}, {"key", key_}, {"checksum", content_hash(json.dump())}, {"result", json}}.dump(1) +
-          "\n");
+  const Json content{{"format", format_name}, {"key", key_}, {"checksum", content_hash(json.dump())}, {"result", json}};
+  write_files({{file_, content.dump(1) + "\n"}});
 }
 
 }  // namespace gestalt

@@ -69,6 +69,21 @@ TEST_F(Convert, ASceneThatLacksAnImageIsNamedAndLeavesNothing) {
   EXPECT_TRUE(fs::exists(out / "test" / "test54" / "depth.png"));
 }
 
+TEST_F(Convert, LinksBelowTheOutputFolderAreNotFollowed) {
+  const std::string header = "scene,category\n";
+  const fs::path mine = folder.write("mine.csv", header), elsewhere = folder.path() / "elsewhere";
+  fs::create_directories(out / "learn");
+  fs::create_directory(elsewhere);
+  fs::create_directory_symlink(elsewhere, out / "learn" / "learn25");
+  fs::create_symlink(mine, out / "test.csv");
+  const Outcome outcome = convert(release, "osd", {"--camera", camera});
+  EXPECT_EQ(outcome.code, 1);
+  EXPECT_EQ(occurrences("learn25: is a link", outcome.err), 1) << outcome.err;
+  EXPECT_EQ(files_below(elsewhere), Texts{});
+  EXPECT_EQ(content(mine), header);
+  EXPECT_EQ(occurrences("test54,", content(out / "test.csv")), 1);
+}
+
 TEST_F(Convert, BadInputIsRefused) {
   expect_refused(convert(folder.path(), "osd"), 3, {"disparity", "OSD release"});
   expect_refused(convert(folder.path() / "nowhere", "pcd"), 3, {"nowhere", "does not exist"});

@@ -159,7 +159,7 @@ class Npz(FormatsTest):
             at = claim.index(signature) + field
             claim[at:at + 4] = (2**30 - 1).to_bytes(4, "little")
         file.write_bytes(claim)
-        self.refused("damaged.npz", "array 'depth'", words=("info", file))
+        self.refused("damaged.npz", "array 'depth'", "more bytes than its packed ones can be", words=("info", file))
 
 
 class Ply(FormatsTest):
