@@ -91,7 +91,8 @@ void merge_categories(const fs::path& file, const std::map<std::string, std::str
                          "; correct the file or choose another --output");
       };
       if (number == 1) {
-        if (line != header) fail("expected the header '" + header + "', found '" + line + "'");
+        if (line != header)
+          fail(std::string("expected the header '").append(header).append("', found '").append(line).append("'"));
       } else if (!line.empty()) {
         const std::size_t comma = line.find(',');
         if (comma == std::string::npos || comma == 0) fail("expected 'scene,category', found '" + line + "'");
