@@ -3,6 +3,8 @@
 
 #include "ray_caster.h"
 
+#include <tbb/task_arena.h>
+
 #include <limits>
 #include <string>
 
@@ -10,7 +12,14 @@
 
 namespace gestalt::synthesis {
 
-RayCaster::RayCaster(std::vector<const Body*> bodies) : bodies_(std::move(bodies)), device_(rtcNewDevice(nullptr)) {
+RayCaster::RayCaster(std::vector<const Body*> bodies) : bodies_(std::move(bodies)) {
+  // Embree takes as many threads as the arena it is called in. One scene needs no more than one, and the thread
+  // sanitizer does not see into Embree's loops.
+  tbb::task_arena(1).execute([this] { set_up(); });
+}
+
+void RayCaster::set_up() {
+  device_ = rtcNewDevice(nullptr);
   if (!device_) throw Error("Embree cannot be set up (code " + std::to_string(rtcGetDeviceError(nullptr)) + ")");
   scene_ = rtcNewScene(device_);
   for (const Body* body : bodies_) {

@@ -37,9 +37,11 @@ class RayCaster {
   bool visible(const Eigen::Vector3f& surface_point, const Eigen::Vector3f& from) const;
 
  private:
+  void set_up();
+
   std::vector<const Body*> bodies_;
-  RTCDevice device_;
-  RTCScene scene_;
+  RTCDevice device_ = nullptr;
+  RTCScene scene_ = nullptr;
 };
 
 }  // namespace gestalt::synthesis
