@@ -27,7 +27,7 @@ using Description = nlohmann::ordered_json;
 
 namespace {
 
-constexpr std::uintmax_t largest_json = std::uintmax_t{256} << 20, largest_yaml = 1 << 20;  // bytes
+constexpr std::uintmax_t largest_yaml = 1 << 20;  // bytes
 
 /// To six decimals: depth is stored in single precision, more would be noise.
 double rounded(double value) { return std::round(value * 1e6) / 1e6; }

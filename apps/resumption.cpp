@@ -20,10 +20,8 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::uintmax_t largest_file = std::uintmax_t{256} << 20;  // of a model, which has been read
-
-/// "" of no path.
-std::string hash_of(const fs::path& file) { return file.empty() ? "" : content_hash(read_bytes(file, largest_file)); }
+/// Of a model's file; "" of no path.
+std::string hash_of(const fs::path& file) { return file.empty() ? "" : content_hash(read_bytes(file, largest_json)); }
 
 /// The folder tells of files that were removed.
 std::vector<fs::path> files_of(const fs::path& scene) {

@@ -4,10 +4,10 @@
 #include "gestalt/model.h"
 
 #include <algorithm>
-#include <fstream>
 
 #include "component_call.h"
 #include "gestalt/error.h"
+#include "gestalt/file_bytes.h"
 #include "gestalt/model_fields.h"
 #include "gestalt/output_file.h"
 
@@ -20,7 +20,6 @@ namespace {
 
 constexpr const char* format = "gestalt-model";
 constexpr int version = 2;
-constexpr std::uintmax_t largest_file = std::uintmax_t{256} << 20;  // bytes
 
 const char* const retrain = "retrain it with `gestalt train`";
 
@@ -49,19 +48,10 @@ std::string difference(const std::vector<std::string>& of_model, const std::vect
   return text;
 }
 
-std::string read_text(const fs::path& file) {
-  const auto fail = [&](const std::string& why) {
-    throw ModelError(file.string() + ": cannot be read: " + why + "; train a model with `gestalt train`");
-  };
-  std::error_code error;
-  if (!fs::is_regular_file(file, error)) fail(error ? error.message() : "it is no file");
-  const std::uintmax_t size = fs::file_size(file, error);
-  if (error) fail(error.message());
-  if (size > largest_file) fail("it has " + std::to_string(size) + " bytes, more than any model");
-  std::ifstream in(file, std::ios::binary);
-  std::string text(std::size_t(size), '\0');
-  if (!in.read(text.data(), std::streamsize(size))) fail("the file system refused it");
-  return text;
+std::string read_text(const fs::path& file) try {
+  return read_bytes(file, largest_json);
+} catch (const InputError& error) {
+  throw ModelError(std::string(error.what()) + ", or train a model with `gestalt train`");
 }
 
 json parse(const fs::path& file, const std::string& text) {

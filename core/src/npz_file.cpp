@@ -11,6 +11,7 @@
 #include <numeric>
 #include <regex>
 
+#include "deflate.h"
 #include "gestalt/error.h"
 #include "gestalt/file_bytes.h"
 
@@ -22,7 +23,6 @@ namespace {
 
 constexpr std::size_t most_bytes = std::size_t{1} << 30;  // of a file's arrays together
 constexpr std::size_t most_header = 1 << 16;
-constexpr std::size_t most_inflated = 1032;  // bytes that deflate makes of one at most (zlib's technical details)
 constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 32;  // bytes; other arrays may be in it
 constexpr const char* magic = "\x93NUMPY";
 
@@ -108,7 +108,7 @@ std::size_t claimed_size(const std::string& place, zip_t* archive, zip_uint64_t 
     throw InputError(place + ": is packed as numpy does not; write it with numpy.savez_compressed");
   if (stat.size > left)
     throw InputError(place + ": claims, with the arrays before it, more than 2^30 bytes; divide the file");
-  if (stat.size / most_inflated > std::min<std::size_t>(stat.comp_size, file_size))
+  if (stat.size / most_inflated > std::min<std::uint64_t>(stat.comp_size, file_size))
     throw InputError(place + ": claims more bytes than its packed ones can be; write the file again");
   return stat.size;
 }

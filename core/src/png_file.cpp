@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "deflate.h"
 #include "gestalt/error.h"
 #include "gestalt/file_bytes.h"
 #include "png_codec.h"
@@ -20,7 +21,6 @@ namespace {
 constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 30;  // bytes
 constexpr std::uint64_t largest_image = std::uint64_t{1} << 26;   // pixels
 constexpr std::uint32_t longest_side = 1u << 20;                  // pixels
-constexpr std::uint64_t most_inflated = std::uint64_t{8} * 1032;  // pixels, of a bit each, in a byte of deflate
 
 /// What the IHDR chunk declares (PNG specification, 11.2.2).
 struct PngHeader {
@@ -77,7 +77,8 @@ PngHeader check_png(const fs::path& file, std::string_view bytes) {
       std::uint64_t{header.width} * header.height > largest_image)
     fail(file, "declares " + std::to_string(header.width) + "x" + std::to_string(header.height) +
                    " pixels; images of 1 to 2^26 pixels can be read");
-  if (std::uint64_t{header.width} * header.height / most_inflated > bytes.size())
+  constexpr std::uint64_t most_pixels = 8 * most_inflated;  // in a byte, of a bit each
+  if (std::uint64_t{header.width} * header.height / most_pixels > bytes.size())
     fail(file, "declares " + std::to_string(header.width) + "x" + std::to_string(header.height) +
                    " pixels, more than its " + std::to_string(bytes.size()) + " bytes can be; write it again");
   return header;

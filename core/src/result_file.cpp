@@ -19,10 +19,9 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::uintmax_t largest_file = std::uintmax_t{256} << 20;  // bytes
-constexpr std::size_t most_triangles = 5'000'000;                   // of a segment's mesh
-constexpr double largest_length = 1e4;                              // m, of a coordinate
-constexpr std::size_t most_vertices = 20000;                        // of the outlines of one patch
+constexpr std::size_t most_triangles = 5'000'000;  // of a segment's mesh
+constexpr double largest_length = 1e4;             // m, of a coordinate
+constexpr std::size_t most_vertices = 20000;       // of the outlines of one patch
 constexpr const char* remedy = "; make it anew with `gestalt segment`";
 
 [[noreturn]] void fail(const std::string& what) { throw ModelError(what); }  // gets its place from within()
@@ -187,7 +186,7 @@ auto of_file(const fs::path& file, const Work& work) {
 }
 
 json parse(const fs::path& file) {
-  const std::string bytes = read_bytes(file, largest_file);
+  const std::string bytes = read_bytes(file, largest_json);
   try {
     return json::parse(bytes);
   } catch (const json::parse_error& problem) {

@@ -164,7 +164,7 @@ TEST_F(ModelFile, GivesThePlaceWhereItIsNoJson) {
   write("{\"format\": \"gestalt-model\",\n  \"version\": oops}\n");
   EXPECT_NE(complaint().find(file_.string() + ":2:14: "), std::string::npos) << complaint();
   write("");
-  EXPECT_NE(complaint().find(file_.string() + ":1:1: "), std::string::npos) << complaint();
+  EXPECT_NE(complaint().find("is empty"), std::string::npos) << complaint();
   write("{\"version\": 1e999}");
   EXPECT_NE(complaint().find("out of range"), std::string::npos) << complaint();
 }
@@ -225,15 +225,16 @@ TEST_F(ModelFile, WhatTheClassifierThrowsIsToldWithTheFile) {
 }
 
 TEST_F(ModelFile, RefusesWhatIsNoFile) {
-  EXPECT_NE(complaint().find("cannot be read"), std::string::npos);
+  EXPECT_NE(complaint().find("does not exist; check the path, or train a model with `gestalt train`"),
+            std::string::npos);
   file_ = folder_;
-  EXPECT_NE(complaint().find("it is no file"), std::string::npos);
+  EXPECT_NE(complaint().find("is a folder"), std::string::npos);
 }
 
 TEST_F(ModelFile, RefusesAFileThatIsTooLarge) {
   write("{}");
   fs::resize_file(file_, (std::uintmax_t{256} << 20) + 1);  // sparse
-  EXPECT_NE(complaint().find("more than any model"), std::string::npos);
+  EXPECT_NE(complaint().find("such files of up to 268435456 bytes can be read"), std::string::npos);
 }
 
 TEST_F(ModelFile, TrainingNeedsBothClasses) {
