@@ -7,17 +7,22 @@
 
 #include <atomic>
 
-/// Two threads of a parallel loop write to a variable, and nothing says which comes first.
+/// Two threads of a parallel loop write to a variable, and nothing that the sanitizer knows says which comes first. One
+/// writes after the other, since it may miss two that write in the same moment; being relaxed, the counters order
+/// nothing.
 int main() {
   const tbb::global_control two(tbb::global_control::max_allowed_parallelism, 2);
-  std::atomic<int> begun = 0;
+  std::atomic<int> begun = 0, written = 0;
   int last = 0;
   tbb::task_arena(2).execute([&] {
     tbb::parallel_for(0, 2, [&](int i) {
-      begun.fetch_add(1, std::memory_order_relaxed);
-      while (begun.load(std::memory_order_relaxed) < 2) {  // for the other thread; being relaxed, it orders nothing
+      const int turn = begun.fetch_add(1, std::memory_order_relaxed);
+      while (begun.load(std::memory_order_relaxed) < 2) {  // for the other thread
+      }
+      while (written.load(std::memory_order_relaxed) < turn) {
       }
       last = i;
+      written.fetch_add(1, std::memory_order_relaxed);
     });
   });
   return last < 0;
