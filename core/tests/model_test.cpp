@@ -11,6 +11,7 @@
 #include <limits>
 
 #include "gestalt/error.h"
+#include "gestalt/file_bytes.h"
 
 namespace gestalt {
 namespace {
@@ -233,8 +234,9 @@ TEST_F(ModelFile, RefusesWhatIsNoFile) {
 
 TEST_F(ModelFile, RefusesAFileThatIsTooLarge) {
   write("{}");
-  fs::resize_file(file_, (std::uintmax_t{256} << 20) + 1);  // sparse
-  EXPECT_NE(complaint().find("such files of up to 268435456 bytes can be read"), std::string::npos);
+  fs::resize_file(file_, largest_json + 1);  // sparse
+  EXPECT_NE(complaint().find("has 268435457 bytes; such files of up to 268435456 bytes can be read"),
+            std::string::npos);
 }
 
 TEST_F(ModelFile, TrainingNeedsBothClasses) {
