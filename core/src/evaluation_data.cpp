@@ -74,6 +74,37 @@ std::vector<std::string> scene_categories(const std::vector<std::filesystem::pat
   return categories;
 }
 
+cv::Mat_<std::uint16_t> read_ground_truth(const std::filesystem::path& scene) {
+  if (!std::filesystem::is_directory(scene)) return scored_ground_truth(read_scene(scene));
+  cv::Mat_<std::uint16_t> labels = read_label_image(scene / "label.png");
+  const cv::Mat_<std::uint16_t> depth = read_label_image(scene / "depth.png");
+  if (labels.size() != depth.size())
+    throw InputError(scene.string() + ": label.png and depth.png differ in size; they must be of one camera image");
+  labels.setTo(0, depth == 0);
+  return labels;
+}
+
+bool has_prediction(const std::filesystem::path& folder, const std::string& scene, const std::string& image) {
+  std::error_code error;
+  return std::filesystem::is_regular_file(folder / scene / image, error) ||
+         std::filesystem::is_regular_file(folder / (scene + ".png"), error);
+}
+
+cv::Mat_<std::uint16_t> read_prediction(const std::filesystem::path& folder, const std::string& scene,
+                                        const std::string& image, cv::Size size) {
+  const std::filesystem::path in_folder = folder / scene / image, beside = folder / (scene + ".png");
+  if (!has_prediction(folder, scene, image))
+    throw InputError(in_folder.string() + ": is missing, and so is " + beside.filename().string() +
+                     "; every scene needs a prediction");
+  const std::filesystem::path& file = std::filesystem::is_regular_file(in_folder) ? in_folder : beside;
+  cv::Mat_<std::uint16_t> labels = read_label_image(file);
+  if (labels.size() != size)
+    throw InputError(file.string() + ": has " + std::to_string(labels.cols) + "x" + std::to_string(labels.rows) +
+                     " pixels, the ground truth of the scene " + std::to_string(size.width) + "x" +
+                     std::to_string(size.height) + "; segment the image at its original size");
+  return labels;
+}
+
 cv::Mat_<std::uint16_t> scored_ground_truth(const Input& input) {
   if (input.ground_truth.empty())
     throw InputError(input.path.string() +

@@ -200,6 +200,7 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
     frame.deadline.require("the separation of figure and ground");
   }
   percept.pixel_density = pixel_density(frame.camera);
+  percept.separate = figure_ground_.separate;
   std::optional<Measures> measures;
   const Scene scene(images, percept.patches, percept.surfaces);
   {
@@ -223,18 +224,20 @@ Graph Pipeline::structural_graph(const Percept& percept, const Model& model, con
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < percept.structural.pairs.size(); ++i) {
     const auto [a, b] = percept.structural.pairs[i];
-    if (!figure_ground_.separate || percept.roles[std::size_t(a)] == percept.roles[std::size_t(b)]) rows.push_back(i);
+    if (!percept.separate || percept.roles[std::size_t(a)] == percept.roles[std::size_t(b)]) rows.push_back(i);
   }
   add_edges(graph, percept.structural, rows, model, Level::structural, deadline);
   return graph;
 }
 
 std::vector<std::size_t> assembly_rows(const Percept& percept, const std::vector<int>& structural_groups) {
-  const auto is_object = [&](int surface) { return percept.roles[std::size_t(surface)] == Role::object; };
+  const auto may_group = [&](int surface) {
+    return !percept.separate || percept.roles[std::size_t(surface)] == Role::object;
+  };
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < percept.assembly.pairs.size(); ++i) {
     const auto [a, b] = percept.assembly.pairs[i];
-    if (structural_groups[std::size_t(a)] != structural_groups[std::size_t(b)] && is_object(a) && is_object(b))
+    if (structural_groups[std::size_t(a)] != structural_groups[std::size_t(b)] && may_group(a) && may_group(b))
       rows.push_back(i);
   }
   return rows;

@@ -44,6 +44,7 @@ class SurfaceModeller {
       : noise_(frame.noise),
         deadline_(frame.deadline),
         largest_(params.largest_solid_angle * frame.camera.fx * frame.camera.fy),
+        first_merger_(params.merger_fitters == "after_first" ? 1 : 0),
         fitters_(fitters),
         params_(params) {}
 
@@ -68,19 +69,20 @@ class SurfaceModeller {
                         " points; put a fitter that takes any patch first in primitive.fitters");
   }
 
-  /// The best single surface for two patches, if it is a better description than the two (Eq. 8). By default A_m is the
-  /// size of the smaller patch: normalised by the merged size, a table would swallow every small patch beside it, for
-  /// however badly it explains that patch, the share of its points in the whole is small.
+  /// The best single surface for two patches, if it is a better description than the two (Eq. 8). Normalised by the
+  /// merged size, a plane through a table would swallow every small patch beside it: however badly it explains that
+  /// patch, the share of its points in the whole is small. So either A_m is the size of the smaller patch, or the
+  /// fitter of planes merges nothing and the large patches are left alone.
   Merger merge(const Candidate& a, const Candidate& b) const {
     require_time();
-    const auto size = a.points.size() + b.points.size();
+    const std::size_t size_a = a.points.size(), size_b = b.points.size();
     const double normalisation =
-        params_.normalisation == "merged" ? double(size) : double(std::min(a.points.size(), b.points.size()));
+        params_.normalisation == "merged" ? double(size_a + size_b) : double(std::min(size_a, size_b));
     const double weight = params_.kappa_2 / normalisation;
     const double apart = cost(a.fitter) + cost(b.fitter) + weight * (a.error + b.error);
     Merger best;
     best.models.resize(fitters_.size());
-    for (std::size_t f = 0; f < fitters_.size() && admits(f, size); ++f) {
+    for (std::size_t f = first_merger_; f < fitters_.size() && admits(f, size_a) && admits(f, size_b); ++f) {
       // Errors only grow while they are summed up: a fit that cannot win any more is not looked at to the end.
       const double allowed = apart - cost(f) - best.gain;
       if (!(allowed > 0)) continue;
@@ -152,7 +154,8 @@ class SurfaceModeller {
   static constexpr std::size_t error_samples = 500;
   const DepthNoise noise_;
   const Deadline deadline_;
-  const double largest_;  // pixels
+  const double largest_;            // pixels
+  const std::size_t first_merger_;  // the first of the fitters whose surface may take the place of two
   const std::vector<std::shared_ptr<const Fitter>>& fitters_;
   const SurfaceModellingParams& params_;
 };
@@ -290,8 +293,10 @@ const Parameters<SurfaceModellingParams>& SurfaceModellingParams::parameters() {
           .real("kappa_2", &P::kappa_2, 0, 100, "", "weight of the error (Eq. 3)")
           .choice("normalisation", &P::normalisation, {"smaller", "merged"},
                   "A_m of a pair (Eq. 3): the size of the smaller patch, or of the merged one")
+          .choice("merger_fitters", &P::merger_fitters, {"all", "after_first"},
+                  "whose surface may replace two patches: any fitter's, or any but the first's (Algorithm 1)")
           .real("largest_solid_angle", &P::largest_solid_angle, 0, 10, "sr",
-                "a patch that covers more of the view is only modelled by the first fitter")
+                "a patch that covers more of the view is modelled, and merged, by the first fitter alone")
           .real("neighbour_depth", &P::neighbour_depth, 0, 1000, "",
                 "touching pixels closer in depth than this * (noise(z) + z / f) make patches candidates for merging")
           .real("border_depth", &P::border_depth, 0, 1000, "",

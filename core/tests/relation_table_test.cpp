@@ -190,6 +190,8 @@ TEST(LearningSet, TheAssemblyLevelLearnsFromPairsThatTheStructuralLevelLeavesApa
   EXPECT_EQ(samples.positive, (std::vector<std::uint8_t>{0, 0}));
   scene.percept.roles[0] = Role::background;
   EXPECT_EQ(assembly_pairs(scene, {0, 0, 1}).values, std::vector<double>{3});
+  scene.percept.separate = false;  // as the paper has it
+  EXPECT_EQ(assembly_pairs(scene, {0, 0, 1}).values, (std::vector<double>{2, 3}));
 }
 
 TEST(LearningSet, RefusesGroundTruthOfAnotherSize) {

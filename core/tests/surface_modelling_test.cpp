@@ -96,6 +96,44 @@ TEST(SurfaceModelling, MergesExactlyWhenTheSavingsGrow) {
   EXPECT_EQ(model_surfaces(above.frame, above.patches, frontal(), params).surfaces.size(), 2u);
 }
 
+TEST(SurfaceModelling, NormalisedByTheMergedSizeEqualPatchesMergeUpToTwiceTheError) {
+  SurfaceModellingParams params;
+  params.normalisation = "merged";
+  const double scene_noise = DepthNoise{}.at(1);
+  const double e = params.sigma * scene_noise * std::sqrt(-std::log(1 - params.kappa_1 * 12));
+  const auto below = step(float(2 * e * 0.97)), above = step(float(2 * e * 1.03));
+  EXPECT_EQ(model_surfaces(below.frame, below.patches, frontal(), params).surfaces.size(), 1u);
+  EXPECT_EQ(model_surfaces(above.frame, above.patches, frontal(), params).surfaces.size(), 2u);
+}
+
+TEST(SurfaceModelling, AfterTheFirstFitterOnlyADearerSurfaceReplacesTwo) {
+  const auto scene = step(0);
+  SurfaceModellingParams params;
+  params.merger_fitters = "after_first";
+  const auto count = [&](double parameters) {
+    const Fitters both{std::make_shared<FrontalPlane>(12), std::make_shared<PerfectFitter>(parameters)};
+    return model_surfaces(scene.frame, scene.patches, both, params).surfaces.size();
+  };
+  EXPECT_EQ(model_surfaces(scene.frame, scene.patches, frontal(), params).surfaces.size(), 2u);
+  EXPECT_EQ(count(23), 1u);  // less than two planes of 12
+  EXPECT_EQ(count(25), 2u);
+}
+
+TEST(SurfaceModelling, ALargePatchIsMergedByTheFirstFitterAlone) {
+  // 1200 and 400 pixels, a step that a plane does not explain.
+  const auto scene =
+      test::render({{{100, 100, 60, 20}, {0, 0, 1}, {0, 0, -1}}, {{160, 100, 20, 20}, {0, 0, 1.008f}, {0, 0, -1}}});
+  const Fitters both{std::make_shared<FrontalPlane>(12), std::make_shared<PerfectFitter>(13)};
+  SurfaceModellingParams params;
+  params.merger_fitters = "after_first";
+  const auto count = [&](double largest) {
+    params.largest_solid_angle = largest / (525 * 525);
+    return model_surfaces(scene.frame, scene.patches, both, params).surfaces.size();
+  };
+  EXPECT_EQ(count(1199.5), 2u);
+  EXPECT_EQ(count(1200.5), 1u);  // the merged patch may be larger
+}
+
 TEST(SurfaceModelling, ATableDoesNotSwallowASmallPatchBesideIt) {
   const auto scene =
       test::render({{{0, 0, 640, 400}, {0, 0, 1}, {0, 0, -1}}, {{300, 200, 10, 10}, {0, 0, 0.992f}, {0, 0, -1}}});

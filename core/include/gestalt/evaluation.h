@@ -115,6 +115,17 @@ GESTALT_EXPORT std::vector<std::string> scene_categories(const std::vector<std::
 /// The ground truth of a scene where it has depth, 0 elsewhere: what scores count. Throws InputError when it has none.
 GESTALT_EXPORT cv::Mat_<std::uint16_t> scored_ground_truth(const Input& input);
 
+/// The same of a scene that need not be segmented: neither camera nor colour is looked for in a folder.
+GESTALT_EXPORT cv::Mat_<std::uint16_t> read_ground_truth(const std::filesystem::path& scene);
+
+/// Whether a folder has a label image of a scene, made by any program: FOLDER/<scene>/<image> or FOLDER/<scene>.png.
+GESTALT_EXPORT bool has_prediction(const std::filesystem::path& folder, const std::string& scene,
+                                   const std::string& image);
+
+/// That image. Throws InputError when it is missing, or of another size than the scene's ground truth.
+GESTALT_EXPORT cv::Mat_<std::uint16_t> read_prediction(const std::filesystem::path& folder, const std::string& scene,
+                                                       const std::string& image, cv::Size size);
+
 /// Fold of each scene for cross-validation, in [0, folds): the scenes of a category are dealt out in turn, so that
 /// folds have about the same size and mixture. seed 0 deals in the given order, any other seed shuffles within the
 /// categories first. Throws ConfigError unless 2 <= folds <= number of scenes.

@@ -38,11 +38,13 @@ struct Percept {
   RelationTable structural;  ///< 3D neighbours
   RelationTable assembly;    ///< all other pairs; empty without the assembly level
   double pixel_density = 1;  ///< of the frame's camera: by what the levels' minimum sizes were multiplied
+  bool separate = true;      ///< FigureGroundParams::separate: pairs of an object and the background are not decided
   LevelTimes times;
 };
 
-/// The rows of the assembly table that the decision looks at: pairs of different structural groups, neither of the
-/// background. What lies beyond an object may be seen on both of its sides, so that the background is not grouped here.
+/// The rows of the assembly table that the decision looks at: pairs of different structural groups. Where figure and
+/// ground are separate, neither is of the background: what lies beyond an object may be seen on both of its sides, so
+/// that the background is not grouped here.
 GESTALT_EXPORT std::vector<std::size_t> assembly_rows(const Percept& percept,
                                                       const std::vector<int>& structural_groups);
 

@@ -21,9 +21,10 @@ struct SurfaceModellingParams {
   double kappa_1 = 0.0053;                ///< weight of the number of parameters
   double kappa_2 = 1.0;                   ///< weight of the error
   std::string normalisation = "smaller";  ///< A_m of Eq. 3 for a pair: size of the smaller patch, or of the merged one
-  double largest_solid_angle = 0.03;      ///< sr; a larger patch is only modelled by the first fitter (walls, table)
-  double neighbour_depth = 3.0;           ///< touching pixels with |dz| < this * (noise(z) + z / f) may merge
-  double border_depth = 1.8;              ///< touching pixels with |dz| < this * (noise(z) + z / f) are 3D border
+  std::string merger_fitters = "all";     ///< whose surface may replace two: "all", or "after_first" (Algorithm 1)
+  double largest_solid_angle = 0.03;  ///< sr; the first fitter alone models and merges a larger patch (walls, table)
+  double neighbour_depth = 3.0;       ///< touching pixels with |dz| < this * (noise(z) + z / f) may merge
+  double border_depth = 1.8;          ///< touching pixels with |dz| < this * (noise(z) + z / f) are 3D border
 
   GESTALT_EXPORT static const Parameters<SurfaceModellingParams>& parameters();
 };

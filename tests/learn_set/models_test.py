@@ -1,0 +1,64 @@
+# SPDX-FileCopyrightText: 2026 The Gestalt authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""scripts/train_models makes the same models, to the byte, from run to run and for any number of threads: those in models/.
+
+    models_test.py GESTALT LEARN     (LEARN is the folder of the OSD learn scenes)
+
+Exits with 77 where the scenes are missing.
+"""
+import json
+import os
+import subprocess
+import sys
+import tempfile
+import unittest
+from pathlib import Path
+
+SKIPPED = 77
+ROOT = Path(__file__).resolve().parents[2]
+GESTALT, LEARN = (Path(a).resolve() for a in sys.argv[1:3])
+if not LEARN.is_dir():
+    print(f"skipped: there is no {LEARN}")
+    sys.exit(SKIPPED)
+
+
+def train(output, processors):
+    """On so many processors, which is the number of threads that the program uses."""
+    own = os.sched_getaffinity(0)
+    os.sched_setaffinity(0, set(sorted(own)[:processors]))
+    try:
+        subprocess.run([ROOT / "scripts" / "train_models", LEARN, output], check=True, stdout=subprocess.DEVNULL,
+                       env={**os.environ, "GESTALT": str(GESTALT)})
+    finally:
+        os.sched_setaffinity(0, own)
+    return {file.name: file.read_bytes() for file in Path(output).iterdir()}
+
+
+def what_was_learned_from(model):
+    """Everything of a model but the numbers of its classifiers, which another kind of processor may round differently."""
+    return {level: {key: value for key, value in content.items() if key not in ("state", "scaling")}
+            for level, content in json.loads(model)["levels"].items()}
+
+
+class Models(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        with tempfile.TemporaryDirectory() as one, tempfile.TemporaryDirectory() as all_of_them:
+            cls.one_thread = train(one, 1)
+            cls.all_threads = train(all_of_them, len(os.sched_getaffinity(0)))
+
+    def test_do_not_depend_on_the_run_or_its_threads(self):
+        self.assertEqual(sorted(self.one_thread), ["default.json", "paper.json", "realtime.json"])
+        for name, model in self.one_thread.items():
+            self.assertTrue(model == self.all_threads[name], f"{name} differs")
+
+    def test_are_those_that_are_shipped(self):
+        for name, model in self.one_thread.items():
+            shipped = (ROOT / "models" / name).read_bytes()
+            remedy = f"models/{name} is not what this program learns: run scripts/train_models LEARN"
+            self.assertEqual(what_was_learned_from(model), what_was_learned_from(shipped), remedy)
+            self.assertTrue(model == shipped, remedy)
+
+
+if __name__ == "__main__":
+    unittest.main(argv=sys.argv[:1], verbosity=2)
