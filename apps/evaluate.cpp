@@ -47,32 +47,6 @@ struct Options {
   RegionKind regions() const { return parts ? RegionKind::parts : RegionKind::objects; }
 };
 
-/// Ground truth of a scene that need not be segmented: neither camera nor colour is looked for in a folder.
-Labels read_ground_truth(const fs::path& scene) {
-  if (!fs::is_directory(scene)) return scored_ground_truth(read_scene(scene));
-  Labels labels = read_label_image(scene / "label.png");
-  const Labels depth = read_label_image(scene / "depth.png");
-  if (labels.size() != depth.size())
-    throw InputError(scene.string() + ": label.png and depth.png differ in size; they must be of one camera image");
-  labels.setTo(0, depth == 0);
-  return labels;
-}
-
-Labels read_prediction(const Options& options, const std::string& scene, cv::Size size) {
-  const fs::path in_folder = options.predictions / scene / options.image;
-  const fs::path beside = options.predictions / (scene + ".png");
-  if (!fs::is_regular_file(in_folder) && !fs::is_regular_file(beside))
-    throw InputError(in_folder.string() + ": is missing, and so is " + beside.filename().string() +
-                     "; every scene needs a prediction");
-  const fs::path& file = fs::is_regular_file(in_folder) ? in_folder : beside;
-  Labels labels = read_label_image(file);
-  if (labels.size() != size)
-    throw InputError(file.string() + ": has " + std::to_string(labels.cols) + "x" + std::to_string(labels.rows) +
-                     " pixels, the ground truth of the scene " + std::to_string(size.width) + "x" +
-                     std::to_string(size.height) + "; segment the image at its original size");
-  return labels;
-}
-
 ReliabilityDiagram reliability(const std::map<std::string, PairDecisions>& pairs) {
   ReliabilityDiagram diagram{"Reliability of the probabilities of held-out pairs", {}};
   for (const auto& [level, decisions] : pairs) {
@@ -171,7 +145,9 @@ int score_predictions(const Options& options) {
   Evaluation evaluation(options);
   evaluation.for_each_scene([&](std::size_t i) {
     const Labels ground_truth = read_ground_truth(evaluation.scenes[i]);
-    evaluation.score(i, ground_truth, read_prediction(options, scene_name(evaluation.scenes[i]), ground_truth.size()));
+    evaluation.score(
+        i, ground_truth,
+        read_prediction(options.predictions, scene_name(evaluation.scenes[i]), options.image, ground_truth.size()));
   });
   return evaluation.report(options.predictions.string());
 }

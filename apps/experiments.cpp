@@ -61,9 +61,13 @@ std::vector<OutputFile> report_files(const Report& report, const fs::path& folde
 void require_apart(const Protocol& protocol) {
   std::set<fs::path> learnt;
   for (const fs::path& scene : protocol.learn) learnt.insert(fs::weakly_canonical(scene));
-  for (const fs::path& scene : protocol.test)
-    if (learnt.contains(fs::weakly_canonical(scene)))
-      throw ConfigError(scene.string() + ": is a test scene and one to learn from; a model must be tested on others");
+  const auto require_new = [&](const std::vector<fs::path>& scenes) {
+    for (const fs::path& scene : scenes)
+      if (learnt.contains(fs::weakly_canonical(scene)))
+        throw ConfigError(scene.string() + ": is a test scene and one to learn from; a model must be tested on others");
+  };
+  require_new(protocol.test);
+  for (const FurtherSet& set : protocol.further) require_new(set.scenes);
 }
 
 }  // namespace gestalt::app

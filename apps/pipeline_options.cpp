@@ -8,9 +8,10 @@
 
 namespace gestalt::app {
 
-void add_pipeline_options(CLI::App& command, PipelineOptions& options) {
+void add_pipeline_options(CLI::App& command, PipelineOptions& options, const std::string& default_name) {
   command
-      .add_option("--config", options.config, "Config file, or the name of an installed one (default: default.yaml)")
+      .add_option("--config", options.config,
+                  "Config file, or the name of an installed one (default: " + default_name + ")")
       ->type_name("FILE");
   command
       .add_option("--set", options.overrides,

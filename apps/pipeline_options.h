@@ -24,7 +24,9 @@ struct PipelineOptions {
   int threads = 0;                     ///< 0: as many as the machine has
 };
 
-void add_pipeline_options(CLI::App& command, PipelineOptions& options);
+/// default_name: of the config that the command uses when no other is asked for, for its help.
+void add_pipeline_options(CLI::App& command, PipelineOptions& options,
+                          const std::string& default_name = "default.yaml");
 
 /// The config as the options ask for it, with its plugins.
 struct LoadedConfig {

@@ -4,10 +4,14 @@
 // Whole frames through Gestalt's configs and through PCL's segmenters, in turn frame by frame, so that whatever else
 // the machine does meets all of them alike. Times begin with the frame or the cloud in memory and end with labels.
 
+#include <algorithm>
 #include <functional>
 #include <iostream>
+#include <limits>
 
 #include "frames.h"
+#include "gestalt/error.h"
+#include "gestalt/output_file.h"
 #include "options.h"
 #include "pcl_segmentation.h"
 #include "segmenter.h"
@@ -45,6 +49,23 @@ void run(std::vector<Contestant>& all, const Frames& frames, int repeats) {
   }
 }
 
+/// Writes FOLDER/<frame>.png with the segments of PCL's LCCP for every frame, for `gestalt reproduce --peer
+/// LCCP=FOLDER`. The settings are those that score best; the ones that are timed join objects with the table.
+void write_lccp_labels(const Frames& frames, const std::filesystem::path& folder) {
+  for (std::size_t i = 0; i < frames.size(); ++i) {
+    const gestalt::Frame frame = frames[i];
+    const auto segments = segment_convex(to_pcl(frame), {true, true, 10});
+    cv::Mat_<std::uint16_t> labels(frame.depth.size(), std::uint16_t{0});
+    std::transform(segments->begin(), segments->end(), labels.begin(), [&](const pcl::PointXYZL& point) {
+      if (point.label > std::numeric_limits<std::uint16_t>::max())
+        throw gestalt::Error(frame.name + ": PCL's segment " + std::to_string(point.label) +
+                             " does not fit a 16-bit label image");
+      return std::uint16_t(point.label);
+    });
+    gestalt::write_file(folder / (frame.name + ".png"), gestalt::encode_png(labels));
+  }
+}
+
 /// Ratios of medians: of each to each.
 nlohmann::ordered_json ratios(const std::vector<Contestant>& all) {
   nlohmann::ordered_json ratios;
@@ -62,12 +83,17 @@ int main(int argc, char** argv) try {
   add_scenes(app, options);
   add_threads(app, options);
   add_measuring(app, options);
+  std::filesystem::path lccp_labels;
+  app.add_option("--lccp-labels", lccp_labels,
+                 "Also write the label images of PCL's LCCP to this folder, DIR/<scene>.png")
+      ->type_name("DIR");
   CLI11_PARSE(app, argc, argv);
 
   const ThreadLimit limit(options.threads);
   std::vector<Contestant> all = contestants();
   const Frames frames(options.scenes, options.synthetic);
   run(all, frames, options.repeats);
+  if (!lccp_labels.empty()) write_lccp_labels(frames, lccp_labels);
   nlohmann::ordered_json report = {
       {"frames", frames.size()}, {"repeats", options.repeats}, {"threads", options.threads}};
   for (const Contestant& one : all) report["milliseconds"][one.name] = spread(one.times);

@@ -15,7 +15,7 @@ namespace gestalt::bench {
 
 PclCloud::Ptr to_pcl(const Frame& frame) {
   constexpr float nan = std::numeric_limits<float>::quiet_NaN();
-  const PclCloud::Ptr cloud(new PclCloud(unsigned(frame.width()), unsigned(frame.height())));
+  PclCloud::Ptr cloud(new PclCloud(unsigned(frame.width()), unsigned(frame.height())));
   cloud->is_dense = false;
   for (int v = 0; v < frame.height(); ++v)
     for (int u = 0; u < frame.width(); ++u) {
@@ -40,7 +40,7 @@ pcl::PointCloud<pcl::Normal>::Ptr estimate_normals(const PclCloud::ConstPtr& clo
   estimation.setMaxDepthChangeFactor(0.02F);
   estimation.setNormalSmoothingSize(20);
   estimation.setInputCloud(cloud);
-  const pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
+  pcl::PointCloud<pcl::Normal>::Ptr normals(new pcl::PointCloud<pcl::Normal>);
   estimation.compute(*normals);
   return normals;
 }
@@ -62,10 +62,10 @@ pcl::PointCloud<pcl::Label>::Ptr segment_planes(const PclCloud::ConstPtr& cloud,
   return labels;
 }
 
-pcl::PointCloud<pcl::PointXYZL>::Ptr segment_convex(const PclCloud::ConstPtr& cloud) {
+pcl::PointCloud<pcl::PointXYZL>::Ptr segment_convex(const PclCloud::ConstPtr& cloud, const LccpSettings& settings) {
   constexpr float voxel_resolution = 0.0075F, seed_resolution = 0.03F;  // m
   pcl::SupervoxelClustering<pcl::PointXYZRGBA> clustering(voxel_resolution, seed_resolution);
-  clustering.setUseSingleCameraTransform(false);
+  clustering.setUseSingleCameraTransform(settings.single_camera_transform);
   clustering.setInputCloud(cloud);
   clustering.setColorImportance(0);
   clustering.setSpatialImportance(1);
@@ -77,11 +77,11 @@ pcl::PointCloud<pcl::PointXYZL>::Ptr segment_convex(const PclCloud::ConstPtr& cl
 
   pcl::LCCPSegmentation<pcl::PointXYZRGBA> segmentation;
   segmentation.setConcavityToleranceThreshold(10);
-  segmentation.setSanityCheck(false);
+  segmentation.setSanityCheck(settings.sanity_check);
   segmentation.setSmoothnessCheck(true, voxel_resolution, seed_resolution, 0.1F);
   segmentation.setKFactor(0);
   segmentation.setInputSupervoxels(supervoxels, adjacency);
-  segmentation.setMinSegmentSize(0);
+  segmentation.setMinSegmentSize(settings.minimum_size);
   segmentation.segment();
   pcl::PointCloud<pcl::PointXYZL>::Ptr labelled = clustering.getLabeledCloud();
   segmentation.relabelCloud(*labelled);

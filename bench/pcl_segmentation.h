@@ -22,8 +22,14 @@ pcl::PointCloud<pcl::Normal>::Ptr estimate_normals(const PclCloud::ConstPtr& clo
 pcl::PointCloud<pcl::Label>::Ptr segment_planes(const PclCloud::ConstPtr& cloud,
                                                 const pcl::PointCloud<pcl::Normal>::ConstPtr& normals);
 
-/// SupervoxelClustering and LCCPSegmentation with the default settings of PCL's
-/// examples/segmentation/example_lccp_segmentation.cpp. The segment of every point, as that program has it.
-pcl::PointCloud<pcl::PointXYZL>::Ptr segment_convex(const PclCloud::ConstPtr& cloud);
+/// Settings of PCL's LCCP. The defaults are those of PCL's examples/segmentation/example_lccp_segmentation.cpp.
+struct LccpSettings {
+  bool single_camera_transform = false;  ///< voxels grow with the depth
+  bool sanity_check = false;             ///< the sanity criterion of Stein et al. (2014)
+  unsigned minimum_size = 0;             ///< supervoxels; smaller segments join a neighbour
+};
+
+/// SupervoxelClustering and LCCPSegmentation. The segment of every point.
+pcl::PointCloud<pcl::PointXYZL>::Ptr segment_convex(const PclCloud::ConstPtr& cloud, const LccpSettings& settings = {});
 
 }  // namespace gestalt::bench

@@ -118,10 +118,15 @@ TextTable ablation_rows(const std::vector<NamedResult>& results) {
 
 std::string description(const Protocol& protocol) {
   const std::string learn = std::to_string(protocol.learn.size());
+  std::string text;
   if (!protocol.test.empty())
-    return "Trained on " + learn + " scenes, evaluated on " + std::to_string(protocol.test.size()) + " others.";
-  return std::to_string(protocol.folds) + "-fold cross-validation over " + learn + " scenes" +
-         (protocol.seed ? ", dealt with seed " + std::to_string(protocol.seed) : "") + ".";
+    text = "Trained on " + learn + " scenes, evaluated on " + std::to_string(protocol.test.size()) + " others";
+  else
+    text = std::to_string(protocol.folds) + "-fold cross-validation over " + learn + " scenes" +
+           (protocol.seed ? ", dealt with seed " + std::to_string(protocol.seed) : "");
+  for (const FurtherSet& set : protocol.further)
+    text += "; " + set.name + ": " + std::to_string(set.scenes.size()) + " scenes, by the model of all " + learn;
+  return text + ".";
 }
 
 }  // namespace gestalt

@@ -64,17 +64,6 @@ SceneOutcome evaluate_scene(const Pipeline& pipeline, const Models& models, cons
   return outcome;
 }
 
-std::vector<CategoryScore> category_scores(const std::vector<ImageScore>& scores,
-                                           const std::vector<std::string>& categories) {
-  std::vector<CategoryScore> rows;
-  for (const ScoreRow& row : summarise(scores, categories)) {
-    const OverlapBoundary& values = row.overlap_boundary[std::size_t(BackgroundRule::table)];
-    rows.push_back({row.category, row.images, row.regions, row.pooled.precision(), row.pooled.recall(),
-                    values.overlap_f, values.boundary_f, values.detected});
-  }
-  return rows;
-}
-
 /// Sums by category, in order of first appearance, and of all; a scene of no category counts in "all" only.
 std::vector<CategoryCount> sum_counts(const std::vector<CategoryCount>& counts) {
   std::vector<CategoryCount> rows;
@@ -134,14 +123,19 @@ void append(Samples& samples, const Samples& more) {
 ExperimentResult summarise_outcomes(const std::vector<SceneUse>& uses, const std::vector<LearningScene>& scenes,
                                     const std::vector<SceneOutcome>& outcomes, bool with_assembly) {
   ExperimentResult result;
-  std::vector<ImageScore> scores;
-  std::vector<std::string> categories;
+  std::vector<ImageScore> scores, further_scores;
+  std::vector<std::string> categories, further_sets;
   std::vector<CategoryCount> learn, test;
   LevelDecisions decisions;
   Samples structural, assembly;
   for (std::size_t i = 0; i < uses.size(); ++i) {
     const SceneUse& use = uses[i];
     const SceneOutcome& outcome = outcomes[i];
+    if (use.further >= 0) {
+      further_scores.push_back(outcome.score);
+      further_sets.push_back(use.category);
+      continue;
+    }
     (use.learnt ? learn : test).push_back(outcome.count);
     if (use.learnt) {
       append(structural, outcome.structural);
@@ -162,6 +156,8 @@ ExperimentResult summarise_outcomes(const std::vector<SceneUse>& uses, const std
   if (with_assembly) result.assembly_values = value_scores(scenes.front().percept.assembly.names, assembly);
   result.learn = sum_counts(learn);
   result.test = sum_counts(test);
+  result.further = category_scores(further_scores, further_sets);
+  result.further.pop_back();  // the row of all
   return result;
 }
 
@@ -169,8 +165,12 @@ std::vector<Models> train(const Pipeline& pipeline, const SceneSet& set, const s
   std::vector<const LearningScene*> learnt;
   for (std::size_t i = 0; i < scenes.size(); ++i)
     if (set.scenes[i].learnt) learnt.push_back(&scenes[i]);
-  if (set.folds > 0) return learn_folds(pipeline, learnt, set.fold, set.folds);
-  return {learn(pipeline, learnt)};
+  std::vector<Models> models;
+  if (set.folds > 0) models = learn_folds(pipeline, learnt, set.fold, set.folds);
+  const bool use_all = std::any_of(set.scenes.begin(), set.scenes.end(),
+                                   [&](const SceneUse& scene) { return std::size_t(scene.model) == models.size(); });
+  if (use_all) models.push_back(learn(pipeline, learnt));
+  return models;
 }
 
 ExperimentResult run_variant(const Variant& variant, const Registry& registry, const SharedFeatures& features,
@@ -282,6 +282,17 @@ void run_group(const std::vector<Task*>& tasks, const Registry& registry, const 
 }
 
 }  // namespace
+
+std::vector<CategoryScore> category_scores(const std::vector<ImageScore>& scores,
+                                           const std::vector<std::string>& categories) {
+  std::vector<CategoryScore> rows;
+  for (const ScoreRow& row : summarise(scores, categories)) {
+    const OverlapBoundary& values = row.overlap_boundary[std::size_t(BackgroundRule::table)];
+    rows.push_back({row.category, row.images, row.regions, row.pooled.precision(), row.pooled.recall(),
+                    values.overlap_f, values.boundary_f, values.detected});
+  }
+  return rows;
+}
 
 std::vector<ExperimentOutcome> run_experiments(const std::vector<Variant>& variants, const Registry& registry,
                                                const Protocol& protocol, const fs::path& store,

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <limits>
 #include <span>
 #include <string_view>
 
@@ -35,14 +36,24 @@ struct RelationScores {
 std::span<const RelationScores> table_2();
 std::span<const RelationScores> table_3();
 
-/// A row of Table 4, of the test set.
+/// What stands for a value that the paper does not have.
+inline constexpr double none = std::numeric_limits<double>::quiet_NaN();
+inline constexpr RelationScores unknown_relation{"", none, none, none, none, none, none};
+
+/// A row of Table 4: of the test set, or the Willow Garage dataset.
 struct CategoryScores {
-  std::string_view category;  ///< "all" for the total
+  std::string_view category;  ///< "all" for the total of the test set
   double structural_precision;
   double structural_recall;
   double assembly_precision;  ///< with both levels
   double assembly_recall;
+  double mishra_precision;  ///< the method of Mishra et al. [28] there
+  double mishra_recall;
 };
 std::span<const CategoryScores> table_4();
+inline constexpr CategoryScores unknown_category{"", none, none, none, none, none, none};
+
+/// The row of Table 4 that is of another dataset.
+inline constexpr std::string_view willow_garage = "Willow Garage";
 
 }  // namespace gestalt::paper

@@ -131,11 +131,14 @@ ExperimentResult result_of(const Json& json) {
   read_list(json.at("learn"), result.learn);
   read_list(json.at("test"), result.test);
   read_list(json.at("objects"), result.objects);
+  read_list(json.at("further"), result.further);
   if (result.scores.empty()) throw Error("it holds no scores");
   return result;
 }
 
 }  // namespace
+
+Json to_json(const std::vector<CategoryScore>& scores) { return list_json(scores); }
 
 Json to_json(const ExperimentResult& result) {
   return {{"scores", list_json(result.scores)},
@@ -145,7 +148,8 @@ Json to_json(const ExperimentResult& result) {
           {"assembly_values", list_json(result.assembly_values)},
           {"learn", list_json(result.learn)},
           {"test", list_json(result.test)},
-          {"objects", list_json(result.objects)}};
+          {"objects", list_json(result.objects)},
+          {"further", list_json(result.further)}};
 }
 
 ResultFile::ResultFile(const std::filesystem::path& store, std::string key)

@@ -39,23 +39,30 @@ SceneSet::SceneSet(const Protocol& protocol) {
   const auto append = [&](const std::vector<fs::path>& paths, bool learnt, bool scored) {
     const std::vector<std::string> categories = scene_categories(paths);
     for (std::size_t i = 0; i < paths.size(); ++i)
-      scenes.push_back({paths[i], scene_name(paths[i]), categories[i], learnt, scored, 0});
+      scenes.push_back({paths[i], scene_name(paths[i]), categories[i], learnt, scored});
   };
   const bool cross_validation = protocol.test.empty();
   append(protocol.learn, true, cross_validation);
   append(protocol.test, false, true);
-  if (!cross_validation) return;
-  folds = protocol.folds;
-  fold = deal_folds(scene_categories(protocol.learn), folds, protocol.seed);
-  for (std::size_t i = 0; i < scenes.size(); ++i) scenes[i].model = fold[i];
+  if (cross_validation) {
+    folds = protocol.folds;
+    fold = deal_folds(scene_categories(protocol.learn), folds, protocol.seed);
+    for (std::size_t i = 0; i < scenes.size(); ++i) scenes[i].model = fold[i];
+  }
+  for (std::size_t set = 0; set < protocol.further.size(); ++set)
+    for (const fs::path& path : protocol.further[set].scenes)
+      scenes.push_back({path, scene_name(path), protocol.further[set].name, false, true, folds, int(set)});
 }
 
 std::string canonical(const SceneSet& set) {
   std::vector<std::string> texts(set.scenes.size());
   for_all(texts.size(), [&](std::size_t i) {
     const SceneUse& scene = set.scenes[i];
-    texts[i] = std::string(scene.learnt ? "learn " : "test ") + scene.name + " [" + scene.category + "] model " +
-               std::to_string(scene.model) + contents(scene.path) + "\n";
+    texts[i] = std::string(scene.learnt        ? "learn "
+                           : scene.further < 0 ? "test "
+                                               : "further ") +
+               scene.name + " [" + scene.category + "] model " + std::to_string(scene.model) + contents(scene.path) +
+               "\n";
   });
   std::string text = "folds " + std::to_string(set.folds) + "\n";
   for (const std::string& scene : texts) text += scene;

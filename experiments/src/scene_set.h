@@ -18,10 +18,11 @@ struct SceneUse {
   std::string category;
   bool learnt = true;  ///< a learn scene
   bool scored = true;  ///< a test scene, or any of a cross-validation
-  int model = 0;       ///< the model that judges it: its fold, which it was not trained on, or the only one
+  int model = 0;       ///< the model that judges it: its fold, which it was not trained on, or that of all learn scenes
+  int further = -1;    ///< index of its further set; -1: of the protocol's own scenes
 };
 
-/// The scenes of a protocol, those to learn from first. Throws InputError, ConfigError.
+/// The scenes of a protocol, those to learn from first, those of further sets last. Throws InputError, ConfigError.
 struct SceneSet {
   explicit SceneSet(const Protocol& protocol);
 

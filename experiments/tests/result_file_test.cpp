@@ -24,6 +24,7 @@ class KeptResult : public testing::Test {
     result.structural_values = {{"r_co", std::numeric_limits<double>::infinity()}, {"r_rs", 1e-300}};
     result.learn = {{"all", 3, 7, 20, 5, 100, 2}};
     result.objects = {{"learn3", "boxes", 0.75, 1}};
+    result.further = {{"elsewhere", 2, 5, 0.25, 0.5, 0.125, 0, 0}};
   }
   std::optional<ExperimentResult> read(const std::string& key = "key\n") {
     return ResultFile(folder.path(), key).read([&](const std::string& message) { warnings.push_back(message); });

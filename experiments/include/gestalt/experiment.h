@@ -12,6 +12,7 @@
 
 #include "gestalt/config.h"
 #include "gestalt/cross_validation.h"
+#include "gestalt/evaluation.h"
 #include "gestalt/registry.h"
 
 namespace gestalt {
@@ -25,12 +26,19 @@ struct Variant {
   Config config;
 };
 
+/// Scenes with ground truth that are evaluated beside those of the protocol, by the model of all scenes to learn from.
+struct FurtherSet {
+  std::string name;
+  std::vector<std::filesystem::path> scenes;
+};
+
 /// What variants are trained and evaluated on.
 struct Protocol {
   std::vector<std::filesystem::path> learn;  ///< scenes with ground truth
   std::vector<std::filesystem::path> test;   ///< empty: cross-validation over learn
   int folds = 5;                             ///< of the cross-validation, >= 2
   std::uint64_t seed = 0;                    ///< see deal_folds()
+  std::vector<FurtherSet> further;           ///< of different names
 };
 
 /// Scores of one category of the scenes that were evaluated; overlap and boundary under the rule table
@@ -45,6 +53,10 @@ struct CategoryScore {
   double boundary_f = 0;
   double detected = 0;  ///< share of objects with overlap F > 0.75
 };
+
+/// The rows of scored images, as summarise() in evaluation.h makes them.
+std::vector<CategoryScore> category_scores(const std::vector<ImageScore>& scores,
+                                           const std::vector<std::string>& categories);
 
 /// One object of the scenes that were evaluated (paper, Fig. 5).
 struct ObjectScore {
@@ -87,10 +99,14 @@ struct ExperimentResult {
   std::vector<ValueScore> assembly_values;
   std::vector<ObjectScore> objects;
   std::vector<CategoryCount> learn;
-  std::vector<CategoryCount> test;  ///< empty in cross-validation
+  std::vector<CategoryCount> test;     ///< empty in cross-validation
+  std::vector<CategoryScore> further;  ///< a row for each further set; counts in nothing else
 
   const CategoryScore& all() const { return scores.back(); }
 };
+
+/// Every number by its member's name.
+nlohmann::ordered_json to_json(const std::vector<CategoryScore>& scores);
 
 /// Every number of the result by its member's name; one that is not finite as "nan", "inf" or "-inf".
 nlohmann::ordered_json to_json(const ExperimentResult& result);

@@ -9,6 +9,7 @@
 
 #include "gestalt/ablation.h"
 #include "gestalt/experiment.h"
+#include "gestalt/peer.h"
 #include "gestalt/report.h"
 
 namespace gestalt {
@@ -20,13 +21,23 @@ namespace gestalt {
 Protocol find_protocol(const std::filesystem::path& data, int folds);
 
 /// What the tables are made of: each value of a level alone, all without it, and each level with all. The assembly
-/// level is left out where the config has no such section.
+/// level is left out where the config does without it.
 std::vector<Variant> reproduction_variants(const Config& config, const Registry& registry);
 
-/// Tables 1 to 4 beside the paper's numbers, and Figure 5. results: of the variants, by name.
-Report reproduction_report(const Protocol& protocol, const std::vector<NamedResult>& results);
+/// What the tables are made of.
+struct Reproduction {
+  const Protocol& protocol;
+  std::vector<NamedResult> results;  ///< of reproduction_variants(), by name
+  std::vector<PeerScores> peers;     ///< columns of Table 4
+  bool papers_config = false;        ///< the config is configs/paper.yaml, so that reasons of its differences are known
+};
 
-/// {"variants": {name: result}, "paper": {"table_1": [...], ...}}; percentages of the paper as it prints them.
-nlohmann::ordered_json reproduction_json(const std::vector<NamedResult>& results);
+/// Tables 1 to 4 with the paper's numbers and the differences, what differs in words, Figure 5, and how many
+/// percentages are near the paper's.
+Report reproduction_report(const Reproduction& reproduction);
+
+/// {"variants": {name: result}, "peers": {name: {"scores": [...], "further": [...]}}, "paper": {"table_1": [...],
+/// ...}}; percentages of the paper as it prints them.
+nlohmann::ordered_json reproduction_json(const Reproduction& reproduction);
 
 }  // namespace gestalt
