@@ -3,6 +3,7 @@
 
 #include "gestalt/reproduction.h"
 
+#include <algorithm>
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>

@@ -19,7 +19,7 @@ std::string signed_points(double difference) {
   return text.starts_with('-') ? text : "+" + text;
 }
 
-/// The cells of a column that are far off. All of three or more on the same side are told by their range.
+/// The cells of a column that are far off. If all of three or more are, on the same side, only their range is given.
 std::string column_in_words(const Comparison& column, double points) {
   Comparison far;
   std::copy_if(column.begin(), column.end(), std::back_inserter(far),

@@ -46,7 +46,8 @@ TEST_F(Ablation, ScoresOfVariantsAreThoseOfTheirOwnRuns) {
     for (const std::string& text : overrides) arguments = joined(arguments, {"--set", text});
     const Outcome own = run_gestalt(arguments);
     expect_success(own);
-    const json expected = json::parse(own.out), result = variants.at(name);
+    const json expected = json::parse(own.out);
+    const json& result = variants.at(name);
     EXPECT_EQ(result.at("scores").back().at("precision"), expected.at("all").at("P")) << name;
     EXPECT_EQ(result.at("scores").back().at("recall"), expected.at("all").at("R")) << name;
     EXPECT_EQ(result.at("scores").back().at("overlap_f"), expected.at("all").at("table:oF")) << name;
@@ -177,7 +178,7 @@ class Reproduction : public testing::Test {
   }
   /// Two scenes of each of two categories.
   fs::path make_set(const std::string& name, const std::string& seed) const {
-    const fs::path set = folder.path() / "data" / name;
+    fs::path set = folder.path() / "data" / name;
     for (const char* category : {"occluded_objects", "boxes"})
       expect_success(run_gestalt({"synthesize", "--category", category, "--seed", seed, "--count", "2", "--width",
                                   "320", "--height", "240", "--output", set}));
