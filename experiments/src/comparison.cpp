@@ -46,9 +46,14 @@ int count_within(const Comparison& cells, double points) {
       std::count_if(cells.begin(), cells.end(), [&](const ComparedCell& cell) { return !is_far(cell, points); }));
 }
 
-bool differs(const Comparison& cells, const std::string& column, double points) {
+bool exceeds(const Comparison& cells, const std::string& column, double points) {
   return std::any_of(cells.begin(), cells.end(),
-                     [&](const ComparedCell& cell) { return cell.column == column && is_far(cell, points); });
+                     [&](const ComparedCell& cell) { return cell.column == column && cell.difference() > points; });
+}
+
+bool falls_short(const Comparison& cells, const std::string& column, double points) {
+  return std::any_of(cells.begin(), cells.end(),
+                     [&](const ComparedCell& cell) { return cell.column == column && cell.difference() < -points; });
 }
 
 std::string differences_in_words(const Comparison& cells, double points) {

@@ -23,8 +23,11 @@ using Comparison = std::vector<ComparedCell>;
 /// Number of cells that differ by at most so many points.
 int count_within(const Comparison& cells, double points);
 
-/// Whether a cell of the column differs by more than so many points.
-bool differs(const Comparison& cells, const std::string& column, double points);
+/// Whether a cell of the column is more than so many points above the paper's.
+bool exceeds(const Comparison& cells, const std::string& column, double points);
+
+/// Whether one is more than so many points below.
+bool falls_short(const Comparison& cells, const std::string& column, double points);
 
 /// The cells that differ by more than so many points, by column: "P of r_co (+2.5), r_rs (-3.1); R of every row (+2.2
 /// to +4.0)". Empty when there is none.

@@ -29,10 +29,13 @@ TEST(Comparison, DoesNotSpeakOfEveryRowOnBothSides) {
             "P of a (+5.0), b (-5.0), c (+9.0)");
 }
 
-TEST(Comparison, KnowsWhetherAColumnDiffers) {
-  EXPECT_TRUE(differs(cells, "R", 4));
-  EXPECT_FALSE(differs(cells, "P", 3));
-  EXPECT_FALSE(differs(cells, "BER", 0));
+TEST(Comparison, KnowsOnWhichSideOfThePapersAColumnIs) {
+  EXPECT_TRUE(exceeds(cells, "P", 2));
+  EXPECT_FALSE(exceeds(cells, "P", 3));
+  EXPECT_FALSE(exceeds(cells, "R", 0));
+  EXPECT_TRUE(falls_short(cells, "R", 4));
+  EXPECT_FALSE(falls_short(cells, "P", 2));
+  EXPECT_FALSE(falls_short(cells, "BER", 0));
 }
 
 }  // namespace

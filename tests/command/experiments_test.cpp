@@ -224,6 +224,15 @@ TEST_F(Reproduction, OfLearnAndTestSetWithBothLevels) {
   EXPECT_GT(base.at("test").back().at("assembly_pairs"), 0);
   EXPECT_EQ(std::int64_t(base.at("objects").size()), base.at("scores").back().at("objects").get<std::int64_t>());
   EXPECT_EQ(result.at("paper").at("table_3").size(), 16u);
+  const json& summary = result.at("summary");
+  ASSERT_EQ(summary.size(), 4u);  // Tables 2 to 4, and all
+  int percentages = 0;
+  for (const char* table : {"Table 2", "Table 3", "Table 4"}) {
+    percentages += summary.at(table).at("percentages").get<int>();
+    EXPECT_LE(summary.at(table).at("within_1"), summary.at(table).at("within_3")) << table;
+  }
+  EXPECT_GT(percentages, 60);
+  EXPECT_EQ(summary.at("all").at("percentages"), percentages);
   const std::string page = content(out / "report.md");
   for (const char* text : {"Table 3", "figure_5_assembly.svg", "r\\_co", "| test boxes |"})
     EXPECT_GT(occurrences(text, page), 0) << text << "\nnot in\n" << page;

@@ -36,8 +36,9 @@ struct Reproduction {
 /// percentages are near the paper's.
 Report reproduction_report(const Reproduction& reproduction);
 
-/// {"variants": {name: result}, "peers": {name: {"scores": [...], "further": [...]}}, "paper": {"table_1": [...],
-/// ...}}; percentages of the paper as it prints them.
+/// {"variants": {name: result}, "peers": {name: {"scores": [...], "further": [...]}}, "summary": {"Table 2":
+/// {"percentages": n, "within_1": n, "within_3": n}, ...}, "paper": {"table_1": [...], ...}}; percentages of the paper
+/// as it prints them.
 nlohmann::ordered_json reproduction_json(const Reproduction& reproduction);
 
 }  // namespace gestalt
