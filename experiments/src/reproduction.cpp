@@ -376,7 +376,7 @@ Report reproduction_report(const Reproduction& reproduction) {
                      " Percent, but for counts and F. Beside our numbers are the paper's, where it has a row of the "
                      "same name, and the difference; they are of its 66 test scenes";
   text += protocol.test.empty() ? ", not of the scenes here." : ".";
-  if (!both) text += " The config does without the assembly level, so there is no Table 3.";
+  if (!both) text += " The config has no assembly level (levels: structural), so there is no Table 3.";
   report.blocks.emplace_back(Paragraph{text});
 
   report.blocks.emplace_back(Heading{"Table 1: images, objects, pairs of patches"});

@@ -6,7 +6,6 @@
 
 Exits with 77 where the scenes are missing.
 """
-import json
 import os
 import subprocess
 import sys
@@ -34,12 +33,6 @@ def train(output, processors):
     return {file.name: file.read_bytes() for file in Path(output).iterdir()}
 
 
-def what_was_learned_from(model):
-    """Everything of a model but the numbers of its classifiers, which another kind of processor may round differently."""
-    return {level: {key: value for key, value in content.items() if key not in ("state", "scaling")}
-            for level, content in json.loads(model)["levels"].items()}
-
-
 class Models(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
@@ -55,8 +48,7 @@ class Models(unittest.TestCase):
     def test_are_those_that_are_shipped(self):
         for name, model in self.one_thread.items():
             shipped = (ROOT / "models" / name).read_bytes()
-            remedy = f"models/{name} is not what this program learns: run scripts/train_models LEARN"
-            self.assertEqual(what_was_learned_from(model), what_was_learned_from(shipped), remedy)
+            remedy = f"models/{name} is not what this program learns on this processor: run scripts/train_models LEARN"
             self.assertTrue(model == shipped, remedy)
 
 

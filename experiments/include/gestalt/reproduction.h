@@ -21,7 +21,7 @@ namespace gestalt {
 Protocol find_protocol(const std::filesystem::path& data, int folds);
 
 /// What the tables are made of: each value of a level alone, all without it, and each level with all. The assembly
-/// level is left out where the config does without it.
+/// level is left out if the config has levels: structural.
 std::vector<Variant> reproduction_variants(const Config& config, const Registry& registry);
 
 /// What the tables are made of.
