@@ -13,8 +13,8 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core/version.hpp>
 
-#include "gestalt/manifest.h"
-#include "gestalt/registry.h"
+#include "gestalt/core/plugin/manifest.h"
+#include "gestalt/core/plugin/registry.h"
 
 namespace gestalt::app {
 

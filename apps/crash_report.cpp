@@ -12,8 +12,8 @@
 #include <exception>
 #include <new>
 
-#include "command.h"
-#include "gestalt/running_component.h"
+#include "gestalt/apps/commands/command.h"
+#include "gestalt/core/plugin/running_component.h"
 
 namespace gestalt::app {
 

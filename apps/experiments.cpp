@@ -7,9 +7,9 @@
 #include <iostream>
 #include <set>
 
-#include "command.h"
-#include "gestalt/error.h"
-#include "gestalt/output_file.h"
+#include "gestalt/apps/commands/command.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/base/output_file.h"
 #include "progress_bar.h"
 
 namespace gestalt::app {

@@ -6,9 +6,9 @@
 #include <string>
 #include <vector>
 
-#include "gestalt/ablation.h"
-#include "gestalt/experiment.h"
-#include "gestalt/output_file.h"
+#include "gestalt/core/base/output_file.h"
+#include "gestalt/evaluation/experiment/ablation.h"
+#include "gestalt/evaluation/experiment/experiment.h"
 
 namespace gestalt::app {
 

@@ -9,10 +9,10 @@
 #include <vector>
 
 #include "built_with.h"
-#include "command.h"
 #include "crash_report.h"
-#include "gestalt/error.h"
-#include "gestalt/suggest.h"
+#include "gestalt/apps/commands/command.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/base/suggest.h"
 
 namespace {
 

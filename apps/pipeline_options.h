@@ -11,9 +11,9 @@
 #include <string>
 #include <vector>
 
-#include "gestalt/config.h"
-#include "gestalt/pipeline.h"
-#include "gestalt/registry.h"
+#include "gestalt/core/config/config.h"
+#include "gestalt/core/pipeline/pipeline.h"
+#include "gestalt/core/plugin/registry.h"
 
 namespace gestalt::app {
 

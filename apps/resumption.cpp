@@ -6,12 +6,12 @@
 #include <algorithm>
 #include <set>
 
-#include "gestalt/error.h"
-#include "gestalt/file_bytes.h"
-#include "gestalt/fingerprint.h"
-#include "gestalt/hash.h"
-#include "gestalt/input.h"
-#include "gestalt/result_file.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/base/file_bytes.h"
+#include "gestalt/core/base/hash.h"
+#include "gestalt/core/plugin/fingerprint.h"
+#include "gestalt/io/result/result_file.h"
+#include "gestalt/io/scene/input.h"
 
 namespace gestalt::app {
 

@@ -9,8 +9,8 @@
 
 #include <iostream>
 
-#include "command.h"
-#include "gestalt/error.h"
+#include "gestalt/apps/commands/command.h"
+#include "gestalt/core/base/error.h"
 #include "interruption.h"
 #include "progress_bar.h"
 

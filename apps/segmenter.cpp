@@ -5,10 +5,11 @@
 
 #include <algorithm>
 
-#include "command.h"
-#include "frame_watch.h"
-#include "gestalt/labelled_files.h"
-#include "gestalt/result.h"
+#include "gestalt/apps/commands/command.h"
+#include "gestalt/apps/stream/frame_watch.h"
+#include "gestalt/io/result/result.h"
+#include "gestalt/io/scene/labelled_files.h"
+#include "gestalt/io/scene/png_codec.h"
 #include "resumption.h"
 
 namespace gestalt::app {

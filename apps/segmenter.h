@@ -8,8 +8,8 @@
 #include <optional>
 #include <set>
 
-#include "gestalt/input.h"
-#include "gestalt/pipeline.h"
+#include "gestalt/core/pipeline/pipeline.h"
+#include "gestalt/io/scene/input.h"
 #include "pipeline_options.h"
 
 namespace gestalt::app {

@@ -12,8 +12,8 @@
 #include <cstring>
 #include <string>
 
-#include "command.h"
-#include "gestalt/error.h"
+#include "gestalt/apps/commands/command.h"
+#include "gestalt/core/base/error.h"
 
 namespace gestalt::app {
 

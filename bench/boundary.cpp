@@ -19,7 +19,7 @@
 #include "frames.h"
 #include "gabor.h"
 #include "gap_occlusion.h"
-#include "gestalt/plugin.h"
+#include "gestalt/core/plugin/plugin.h"
 #include "group_linkage.h"
 #include "hull_view.h"
 #include "joint_extent.h"

@@ -10,8 +10,9 @@
 #include <limits>
 
 #include "frames.h"
-#include "gestalt/error.h"
-#include "gestalt/output_file.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/base/output_file.h"
+#include "gestalt/io/scene/png_codec.h"
 #include "options.h"
 #include "pcl_segmentation.h"
 #include "segmenter.h"

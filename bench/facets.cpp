@@ -3,7 +3,7 @@
 
 #include "facets.h"
 
-#include "gestalt/synthesis.h"
+#include "gestalt/synthesis/synthesis.h"
 
 namespace gestalt::bench {
 

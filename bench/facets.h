@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "gestalt/frame.h"
+#include "gestalt/core/scene/frame.h"
 
 namespace gestalt::bench {
 

@@ -3,8 +3,8 @@
 
 #include "frames.h"
 
-#include "gestalt/input.h"
-#include "gestalt/synthesis.h"
+#include "gestalt/io/scene/input.h"
+#include "gestalt/synthesis/synthesis.h"
 
 namespace gestalt::bench {
 

@@ -5,7 +5,7 @@
 #include <filesystem>
 #include <vector>
 
-#include "gestalt/frame.h"
+#include "gestalt/core/scene/frame.h"
 
 namespace gestalt::bench {
 

@@ -9,7 +9,7 @@
 
 #include <iostream>
 
-#include "gestalt/synthesis.h"
+#include "gestalt/synthesis/synthesis.h"
 #include "segmenter.h"
 
 namespace {

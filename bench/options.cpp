@@ -5,7 +5,7 @@
 
 #include <opencv2/core/utility.hpp>
 
-#include "gestalt/output_file.h"
+#include "gestalt/core/base/output_file.h"
 
 namespace gestalt::bench {
 

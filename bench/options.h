@@ -10,7 +10,7 @@
 #include <string>
 #include <vector>
 
-#include "gestalt/config.h"
+#include "gestalt/core/config/config.h"
 
 namespace gestalt::bench {
 

@@ -5,7 +5,7 @@
 #include <pcl/point_cloud.h>
 #include <pcl/point_types.h>
 
-#include "gestalt/frame.h"
+#include "gestalt/core/scene/frame.h"
 
 namespace gestalt::bench {
 

@@ -10,7 +10,7 @@
 #include <iostream>
 
 #include "facets.h"
-#include "gestalt/synthesis.h"
+#include "gestalt/synthesis/synthesis.h"
 #include "options.h"
 #include "segmenter.h"
 #include "times.h"

@@ -11,7 +11,7 @@
 #include <random>
 
 #include "bspline.h"
-#include "gestalt/surface_modelling.h"
+#include "gestalt/core/pipeline/surface_modelling.h"
 #include "plane.h"
 
 namespace {

@@ -6,7 +6,7 @@
 #include <iostream>
 
 #include "frames.h"
-#include "gestalt/for_all.h"
+#include "gestalt/core/base/for_all.h"
 #include "options.h"
 #include "segmenter.h"
 #include "times.h"

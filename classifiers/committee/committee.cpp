@@ -6,7 +6,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "gestalt/error.h"
+#include "gestalt/core/base/error.h"
 #include "random_forest.h"
 #include "svm.h"
 

@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "gestalt/error.h"
+#include "gestalt/core/base/error.h"
 #include "random_forest.h"
 #include "svm.h"
 

@@ -6,8 +6,8 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "gestalt/error.h"
-#include "gestalt/model_fields.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/pipeline/model_fields.h"
 
 namespace gestalt {
 

@@ -4,7 +4,7 @@
 
 #include <vector>
 
-#include "gestalt/classifier.h"
+#include "gestalt/core/plugin/classifier.h"
 
 namespace gestalt {
 

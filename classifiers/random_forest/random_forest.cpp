@@ -9,7 +9,7 @@
 #include <opencv2/ml.hpp>
 
 #include "forest.h"
-#include "gestalt/error.h"
+#include "gestalt/core/base/error.h"
 
 namespace gestalt {
 

@@ -10,7 +10,7 @@
 #include <opencv2/ml.hpp>
 #include <random>
 
-#include "gestalt/error.h"
+#include "gestalt/core/base/error.h"
 
 namespace gestalt {
 namespace {

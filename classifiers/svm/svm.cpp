@@ -7,7 +7,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "gestalt/error.h"
+#include "gestalt/core/base/error.h"
 #include "libsvm_random.h"
 #include "svm_predictor.h"
 

@@ -7,7 +7,7 @@
 #include <array>
 #include <vector>
 
-#include "gestalt/classifier.h"
+#include "gestalt/core/plugin/classifier.h"
 
 namespace gestalt {
 

@@ -13,7 +13,7 @@
 #include <random>
 #include <thread>
 
-#include "gestalt/error.h"
+#include "gestalt/core/base/error.h"
 
 namespace gestalt {
 namespace {

@@ -4,7 +4,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "gestalt/frame.h"
+#include "gestalt/core/scene/frame.h"
 #include "tolerances.h"
 
 namespace gestalt {

@@ -5,7 +5,7 @@
 
 #include <opencv2/core.hpp>
 
-#include "gestalt/frame.h"
+#include "gestalt/core/scene/frame.h"
 #include "normal_estimation.h"
 #include "tolerances.h"
 

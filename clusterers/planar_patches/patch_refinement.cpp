@@ -14,7 +14,7 @@
 #include <tuple>
 #include <vector>
 
-#include "gestalt/wide.h"
+#include "gestalt/core/base/wide.h"
 #include "pixel_grid.h"
 #include "running_plane.h"
 

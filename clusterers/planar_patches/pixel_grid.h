@@ -5,7 +5,7 @@
 
 #include <Eigen/Core>
 
-#include "gestalt/frame.h"
+#include "gestalt/core/scene/frame.h"
 #include "normal_estimation.h"
 
 namespace gestalt {

@@ -12,7 +12,7 @@
 #include <random>
 #include <vector>
 
-#include "gestalt/synthesis.h"
+#include "gestalt/synthesis/synthesis.h"
 #include "least_squares_normal.h"
 #include "patch_growing.h"
 #include "patch_refinement.h"

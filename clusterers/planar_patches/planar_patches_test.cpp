@@ -7,11 +7,11 @@
 #include <cmath>
 #include <random>
 
+#include "gestalt/tests/scenes/test_scenes.h"
 #include "neighbour_moments.h"
 #include "normal_estimation.h"
 #include "patch_growing.h"
 #include "patch_refinement.h"
-#include "test_scenes.h"
 
 namespace gestalt {
 namespace {

@@ -5,8 +5,8 @@
 #include <algorithm>
 #include <cmath>
 
-#include "gestalt/frame.h"
-#include "gestalt/parameters.h"
+#include "gestalt/core/plugin/parameters.h"
+#include "gestalt/core/scene/frame.h"
 
 namespace gestalt {
 

@@ -6,7 +6,7 @@
 #include <cstring>
 #include <opencv2/core.hpp>
 
-#include "gestalt/wide.h"
+#include "gestalt/core/base/wide.h"
 
 namespace gestalt {
 

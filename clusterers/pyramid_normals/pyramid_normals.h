@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "gestalt/clusterer.h"
-#include "gestalt/parameters.h"
+#include "gestalt/core/plugin/clusterer.h"
+#include "gestalt/core/plugin/parameters.h"
 #include "level_selection.h"
 #include "reorganised_normals.h"
 #include "tolerances.h"

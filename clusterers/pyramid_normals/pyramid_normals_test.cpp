@@ -10,9 +10,9 @@
 #include <random>
 #include <set>
 
-#include "gestalt/synthesis.h"
+#include "gestalt/synthesis/synthesis.h"
+#include "gestalt/tests/scenes/test_scenes.h"
 #include "half_resolution.h"
-#include "test_scenes.h"
 
 namespace gestalt {
 namespace {

@@ -5,12 +5,13 @@
 SUBJECTS = {
     "Interfaces of plugins": "plugin clusterer fitter relation classifier solver parameters manifest factory"
     " fingerprint",
-    "Frames and files": "frame input scene_folder scene_path convert pcd_header depth_noise noise_calibration"
-    " output_file",
-    "Results of the levels": "patch_map surface_set relation_table graph segmentation figure_ground",
-    "Surfaces": "parametric_surface bspline_surface surface_modelling outline contour",
+    "Frames and files": "frame input scene_folder scene_path converted_scene convert labelled_files pcd_header png_codec png_file"
+    " depth_noise noise_calibration output_file",
+    "Results of the levels": "patch_map surface_set relation_table graph segmentation role figure_ground",
+    "Surfaces": "surface_model parametric_surface bspline_surface surface_modelling outline contour",
     "What relations need of a scene": "scene images boundary_lines closure hypothesised_line histogram angle wide",
-    "Pipeline, config and registry": "pipeline config config_schema registry error export",
+    "Pipeline, config and registry": "pipeline config config_schema sensor_params surface_modelling_params"
+    " figure_ground_params registry error export",
     "Learning and evaluation": "learning_set model model_fields cross_validation evaluation assignment feature_score",
     "Results as files": "result result_file",
 }
@@ -29,9 +30,9 @@ def by_subject(headers):
     return {subject: names for subject, names in subjects.items() if names}
 
 
-def section(header):
+def section(header, include):
     """What a header declares: the group that group.awk makes of its namespace, and what stands outside of that."""
-    name = header.stem
+    name, file = header.stem, header.relative_to(include)
     in_namespace = "\nnamespace gestalt {\n" in header.read_text()
     group = (
         f"```{{doxygengroup}} header_{name}\n:content-only:\n:members:\n:undoc-members:\n```\n\n"
@@ -39,13 +40,13 @@ def section(header):
         else ""
     )
     outside = "define" if in_namespace else "briefdescription detaileddescription innerclass define typedef func var"
-    return f"## gestalt/{name}.h\n\n{group}```{{doxygenfile}} gestalt/{name}.h\n:sections: {outside}\n```\n"
+    return f"## {file}\n\n{group}```{{doxygenfile}} {file}\n:sections: {outside}\n```\n"
 
 
-def pages(include):
-    """Markdown by file name, for the headers of a folder gestalt/."""
-    headers = {file.stem for file in (include / "gestalt").glob("*.h")}
-    subjects = by_subject(headers)
+def pages(includes):
+    """Markdown by file name, for the headers in include folders."""
+    headers = {file.stem: section(file, include) for include in includes for file in include.rglob("*.h")}
+    subjects = by_subject(set(headers))
     contents = "\n".join(slug(subject) for subject in subjects)
     result = {
         "index": "# API\n\nThe public headers, `#include <gestalt/...>`; link `gestalt::core`. "
@@ -53,6 +54,6 @@ def pages(include):
         f"```{{toctree}}\n:maxdepth: 1\n\n{contents}\n```\n"
     }
     for subject, names in subjects.items():
-        sections = "\n".join(section(include / "gestalt" / f"{name}.h") for name in names)
+        sections = "\n".join(headers[name] for name in names)
         result[slug(subject)] = f"# {subject}\n\n{sections}"
     return result

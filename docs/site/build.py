@@ -37,7 +37,7 @@ def page_names():
     return names | {
         "CONTRIBUTING.md": "contributing.md",
         "SECURITY.md": "security.md",
-        "fuzz/README.md": "fuzzing.md",
+        "tests/fuzz/README.md": "fuzzing.md",
         "CHANGELOG.md": "changelog.md",
         "README.md": "index.md",
     }
@@ -93,7 +93,7 @@ def gather(gestalt, source):
         write(source / "reference" / "plugins" / f"{name}.md", text)
     write(source / "reference" / "config.md", reference.config_page(command))
     write(source / "reference" / "commands.md", reference.command_page(command))
-    for name, text in api.pages(ROOT / "core" / "include").items():
+    for name, text in api.pages(includes(gestalt)).items():
         write(source / "api" / f"{name}.md", text)
     shutil.copytree(SITE / "static", source / "static")
     theme = pathlib.Path(furo.__file__).parent / "theme" / "furo" / "static" / "styles" / "furo.css"
@@ -101,10 +101,15 @@ def gather(gestalt, source):
     shutil.copy(SITE / "conf.py", source)
 
 
-def run_doxygen(source):
+def includes(gestalt):
+    """The folders of a build tree with links to the public headers, one for each library."""
+    return [gestalt.parent.parent / "include" / f"gestalt_{library}" for library in ("core", "io", "evaluation")]
+
+
+def run_doxygen(gestalt, source):
     settings = (SITE / "Doxyfile").read_text()
-    include = ROOT / "core" / "include"
-    settings += f'INPUT = "{include}"\nSTRIP_FROM_PATH = "{include}"\nOUTPUT_DIRECTORY = "{source / "doxygen"}"\n'
+    folders = " ".join(f'"{include}"' for include in includes(gestalt))
+    settings += f'INPUT = {folders}\nSTRIP_FROM_PATH = {folders}\nOUTPUT_DIRECTORY = "{source / "doxygen"}"\n'
     settings += f'INPUT_FILTER = "awk -f {SITE / "group.awk"}"\n'
     (source / "doxygen").mkdir()
     subprocess.run(["doxygen", "-"], input=settings, text=True, check=True)
@@ -116,7 +121,7 @@ def main():
     shutil.rmtree(source, ignore_errors=True)
     source.mkdir(parents=True)
     gather(gestalt, source)
-    run_doxygen(source)
+    run_doxygen(gestalt, source)
     # All pages anew: what was built of another state may hide a warning.
     sphinx = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-n", "-E", "-a", "-j", "auto", "-b", "html"]
     built = subprocess.run([*sphinx, "-d", output / "doctrees", source, output / "site"], check=False)

@@ -28,7 +28,7 @@ SOURCES = pathlib.Path(__file__).resolve().parents[2]
 # Words that stand for what a reader has, and what the test takes for them. The first that fits is taken.
 PLACEHOLDERS = {
     r"scripts/(coverage|fuzz|soak|valgrind)\b[^\n]*": r"(cd scripts && test -x \1)",  # they take long, and are in Python
-    r"python3 soak/write_page.py[^\n]*": "test -f soak/write_page.py",  # of what those report
+    r"python3 tests/soak/write_page.py[^\n]*": "test -f tests/soak/write_page.py",  # of what those report
     r"scripts/(\w+)": r"bash -n scripts/\1",  # these build or test everything themselves
     r"\(cd build && cpack\)": "test -f build/CPackConfig.cmake",  # scripts/test_packages
     r"out/SCENE\b": "out/demo_scene",
@@ -227,7 +227,7 @@ def main():
     os.chdir(folder)
     (folder / "prepared").mkdir()
     (folder / "build").symlink_to(build)
-    for name in ("examples", "configs", "models", "docs", "scripts", "bench", "soak"):
+    for name in ("examples", "configs", "models", "docs", "scripts", "bench", "tests"):
         (folder / name).symlink_to(SOURCES / name)
     os.environ["PATH"] = f"{build / 'bin'}:{os.environ['PATH']}"
     os.environ["CMAKE_GENERATOR"] = "Ninja"  # all cores, where a page names no generator

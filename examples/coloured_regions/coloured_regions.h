@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <gestalt/clusterer.h>
-#include <gestalt/parameters.h>
+#include <gestalt/core/plugin/clusterer.h>
+#include <gestalt/core/plugin/parameters.h>
 
 /// Connected pixels of like normals, like colour and without a jump of depth: two books that lie flush beside each
 /// other are two patches, which geometry alone cannot see.

@@ -8,7 +8,7 @@
 #include <map>
 #include <queue>
 
-#include <gestalt/disjoint_sets.h>
+#include <gestalt/core/base/disjoint_sets.h>
 
 namespace {
 

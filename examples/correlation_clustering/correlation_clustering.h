@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <gestalt/parameters.h>
-#include <gestalt/solver.h>
+#include <gestalt/core/plugin/parameters.h>
+#include <gestalt/core/plugin/solver.h>
 
 /// Correlation clustering: the groups for which the sum of the weights within them is largest, an edge's weight being
 /// its log odds less those of a probability that is neither here nor there. No number of groups has to be known, and

@@ -7,7 +7,7 @@
 #include <cmath>
 #include <nlohmann/json.hpp>
 
-#include <gestalt/error.h>
+#include <gestalt/core/base/error.h>
 
 namespace {
 

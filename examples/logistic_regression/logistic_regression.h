@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <gestalt/classifier.h>
-#include <gestalt/parameters.h>
+#include <gestalt/core/plugin/classifier.h>
+#include <gestalt/core/plugin/parameters.h>
 
 /// p(same) = 1 / (1 + exp(-(w . r + b))): the log odds are a sum over the relation values, so that the model file can
 /// be read by eye. Regularised by |w|^2 and trained to the optimum by Newton's method.

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include <gestalt/error.h>
+#include <gestalt/core/base/error.h>
 #include <cmath>
 #include <nlohmann/json.hpp>
 

@@ -4,9 +4,9 @@
 // own_program SCENE: prints the objects of a scene, largest first. A program makes the pipeline once, reads the models
 // once, and then calls perceive() and decide() for each frame, from as many threads as it likes.
 
-#include <gestalt/error.h>
-#include <gestalt/input.h>
-#include <gestalt/pipeline.h>
+#include <gestalt/core/base/error.h>
+#include <gestalt/core/pipeline/pipeline.h>
+#include <gestalt/io/scene/input.h>
 
 #include <cstdio>
 #include <exception>

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "gestalt/parameters.h"
-#include "gestalt/relation.h"
+#include "gestalt/core/plugin/parameters.h"
+#include "gestalt/core/plugin/relation.h"
 
 /// r_sh: how high a pair stands over its support, the largest patch of the scene: the smaller of the two patches' mean
 /// heights over that patch's surface, metres. Near 0 when one of the two is the table itself.

@@ -5,8 +5,8 @@
 #include <Eigen/Core>
 
 #include "bspline_model.h"
-#include "gestalt/fitter.h"
-#include "gestalt/parameters.h"
+#include "gestalt/core/plugin/fitter.h"
+#include "gestalt/core/plugin/parameters.h"
 
 namespace gestalt {
 

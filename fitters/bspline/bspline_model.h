@@ -4,8 +4,8 @@
 
 #include <vector>
 
-#include "gestalt/bspline_surface.h"
-#include "gestalt/fitter.h"
+#include "gestalt/core/plugin/fitter.h"
+#include "gestalt/core/scene/bspline_surface.h"
 #include "weighted_points.h"
 
 namespace gestalt {

@@ -13,7 +13,7 @@
 #include <random>
 
 #include "closest_point.h"
-#include "gestalt/error.h"
+#include "gestalt/core/base/error.h"
 #include "surface_fit.h"
 
 namespace gestalt {

@@ -4,7 +4,7 @@
 
 #include <Eigen/Core>
 
-#include "gestalt/bspline_surface.h"
+#include "gestalt/core/scene/bspline_surface.h"
 
 namespace gestalt {
 

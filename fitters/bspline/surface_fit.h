@@ -6,7 +6,7 @@
 #include <optional>
 #include <span>
 
-#include "gestalt/bspline_surface.h"
+#include "gestalt/core/scene/bspline_surface.h"
 #include "weighted_points.h"
 
 namespace gestalt {

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "gestalt/fitter.h"
-#include "gestalt/parameters.h"
+#include "gestalt/core/plugin/fitter.h"
+#include "gestalt/core/plugin/parameters.h"
 
 namespace gestalt {
 

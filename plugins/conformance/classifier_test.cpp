@@ -4,7 +4,7 @@
 #include <nlohmann/json.hpp>
 #include <random>
 
-#include "gestalt/error.h"
+#include "gestalt/core/base/error.h"
 #include "subjects.h"
 
 namespace gestalt::conformance {

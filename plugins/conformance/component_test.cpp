@@ -7,7 +7,7 @@
 #include <regex>
 #include <set>
 
-#include "gestalt/error.h"
+#include "gestalt/core/base/error.h"
 #include "subjects.h"
 
 namespace gestalt::conformance {

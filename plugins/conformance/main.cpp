@@ -11,7 +11,7 @@
 #include <iostream>
 #include <string_view>
 
-#include "gestalt/error.h"
+#include "gestalt/core/base/error.h"
 #include "subjects.h"
 
 int main(int argc, char** argv) {

@@ -4,7 +4,7 @@
 #include <cmath>
 #include <set>
 
-#include "gestalt/error.h"
+#include "gestalt/core/base/error.h"
 #include "scenes.h"
 #include "subjects.h"
 

@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "gestalt/surface_modelling.h"
+#include "gestalt/core/pipeline/surface_modelling.h"
 
 namespace gestalt::conformance {
 

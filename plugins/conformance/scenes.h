@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "test_scenes.h"
+#include "gestalt/tests/scenes/test_scenes.h"
 
 namespace gestalt::conformance {
 

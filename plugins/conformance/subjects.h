@@ -6,8 +6,8 @@
 #include <tbb/global_control.h>
 #include <tbb/task_arena.h>
 
-#include "gestalt/factory.h"
-#include "gestalt/registry.h"
+#include "gestalt/core/plugin/factory.h"
+#include "gestalt/core/plugin/registry.h"
 
 namespace gestalt {
 

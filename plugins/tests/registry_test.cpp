@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gestalt/registry.h"
+#include "gestalt/core/plugin/registry.h"
 
 #include <gtest/gtest.h>
 
@@ -9,7 +9,7 @@
 #include <numeric>
 #include <optional>
 
-#include "gestalt/error.h"
+#include "gestalt/core/base/error.h"
 
 namespace gestalt {
 namespace {

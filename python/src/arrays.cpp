@@ -6,8 +6,8 @@
 #include <opencv2/imgproc.hpp>
 #include <string>
 
-#include "gestalt/error.h"
-#include "gestalt/input.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/io/scene/input.h"
 
 namespace gestalt::python {
 

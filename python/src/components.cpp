@@ -11,7 +11,7 @@
 #include <memory>
 
 #include "arrays.h"
-#include "gestalt/error.h"
+#include "gestalt/core/base/error.h"
 
 namespace gestalt::python {
 

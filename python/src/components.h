@@ -4,7 +4,7 @@
 
 #include <pybind11/pybind11.h>
 
-#include "gestalt/registry.h"
+#include "gestalt/core/plugin/registry.h"
 
 namespace gestalt::python {
 

@@ -6,12 +6,12 @@
 
 #include "arrays.h"
 #include "components.h"
-#include "gestalt/cross_validation.h"
-#include "gestalt/error.h"
-#include "gestalt/evaluation.h"
-#include "gestalt/for_all.h"
-#include "gestalt/input.h"
-#include "gestalt/learning_set.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/base/for_all.h"
+#include "gestalt/core/pipeline/learning_set.h"
+#include "gestalt/evaluation/score/cross_validation.h"
+#include "gestalt/evaluation/score/evaluation.h"
+#include "gestalt/io/scene/input.h"
 #include "segmenter.h"
 
 namespace gestalt::python {

@@ -5,9 +5,9 @@
 #include <pybind11/pybind11.h>
 
 #include "components.h"
-#include "gestalt/error.h"
-#include "gestalt/frame.h"
-#include "gestalt/registry.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/plugin/registry.h"
+#include "gestalt/core/scene/frame.h"
 #include "segmenter.h"
 
 namespace gestalt::python {

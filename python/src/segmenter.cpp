@@ -12,11 +12,11 @@
 
 #include "arrays.h"
 #include "components.h"
-#include "gestalt/error.h"
-#include "gestalt/evaluation.h"
-#include "gestalt/for_all.h"
-#include "gestalt/input.h"
-#include "gestalt/result.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/base/for_all.h"
+#include "gestalt/evaluation/score/evaluation.h"
+#include "gestalt/io/result/result.h"
+#include "gestalt/io/scene/input.h"
 
 namespace gestalt::python {
 

@@ -10,8 +10,8 @@
 #include <string>
 #include <vector>
 
-#include "gestalt/config.h"
-#include "gestalt/pipeline.h"
+#include "gestalt/core/config/config.h"
+#include "gestalt/core/pipeline/pipeline.h"
 
 namespace gestalt::python {
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gestalt/plugin.h"
+#include "gestalt/core/plugin/plugin.h"
 
 #include "border_curvature.h"
 

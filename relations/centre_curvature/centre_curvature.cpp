@@ -7,7 +7,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gestalt/angle.h"
+#include "gestalt/core/scene/angle.h"
 
 namespace gestalt {
 

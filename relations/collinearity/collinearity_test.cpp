@@ -8,7 +8,7 @@
 #include <array>
 #include <cmath>
 
-#include "test_scenes.h"
+#include "gestalt/tests/scenes/test_scenes.h"
 
 namespace gestalt {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <array>
 
-#include "gestalt/histogram.h"
+#include "gestalt/core/scene/histogram.h"
 
 namespace gestalt {
 

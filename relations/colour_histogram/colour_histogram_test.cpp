@@ -7,8 +7,8 @@
 
 #include <cmath>
 
-#include "gestalt/error.h"
-#include "test_scenes.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/tests/scenes/test_scenes.h"
 
 namespace gestalt {
 namespace {

@@ -5,7 +5,7 @@
 
 #include <gtest/gtest.h>
 
-#include "test_scenes.h"
+#include "gestalt/tests/scenes/test_scenes.h"
 
 namespace gestalt {
 namespace {

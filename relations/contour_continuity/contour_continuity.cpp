@@ -9,7 +9,7 @@
 #include <numbers>
 #include <vector>
 
-#include "gestalt/angle.h"
+#include "gestalt/core/scene/angle.h"
 
 namespace gestalt {
 

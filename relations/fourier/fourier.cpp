@@ -11,7 +11,7 @@
 #include <cmath>
 #include <numbers>
 
-#include "gestalt/histogram.h"
+#include "gestalt/core/scene/histogram.h"
 
 namespace gestalt {
 

@@ -10,7 +10,7 @@
 #include <complex>
 #include <numbers>
 
-#include "test_scenes.h"
+#include "gestalt/tests/scenes/test_scenes.h"
 
 namespace gestalt {
 namespace {

@@ -8,7 +8,7 @@
 #include <limits>
 #include <string>
 
-#include "gestalt/error.h"
+#include "gestalt/core/base/error.h"
 
 namespace gestalt {
 

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "gabor_bank.h"
-#include "gestalt/parameters.h"
-#include "gestalt/relation.h"
+#include "gestalt/core/plugin/parameters.h"
+#include "gestalt/core/plugin/relation.h"
 
 namespace gestalt {
 

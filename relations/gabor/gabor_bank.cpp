@@ -16,7 +16,7 @@
 #include <opencv2/core/hal/intrin.hpp>
 #include <opencv2/imgproc.hpp>
 
-#include "gestalt/wide.h"
+#include "gestalt/core/base/wide.h"
 
 namespace gestalt {
 

@@ -5,7 +5,7 @@
 #include <opencv2/core.hpp>
 #include <vector>
 
-#include "gestalt/surface_set.h"
+#include "gestalt/core/scene/surface_set.h"
 
 namespace gestalt {
 

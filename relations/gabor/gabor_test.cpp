@@ -12,8 +12,8 @@
 #include <opencv2/imgproc.hpp>
 #include <random>
 
-#include "gestalt/error.h"
-#include "test_scenes.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/tests/scenes/test_scenes.h"
 
 namespace gestalt {
 namespace {

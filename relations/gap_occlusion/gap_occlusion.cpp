@@ -5,7 +5,7 @@
 
 #include <algorithm>
 
-#include "gestalt/hypothesised_line.h"
+#include "gestalt/core/scene/hypothesised_line.h"
 
 namespace gestalt {
 

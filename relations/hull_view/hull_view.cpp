@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <limits>
 
-#include "gestalt/hypothesised_line.h"
+#include "gestalt/core/scene/hypothesised_line.h"
 
 namespace gestalt {
 

@@ -2,8 +2,8 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include "gestalt/parameters.h"
-#include "gestalt/relation.h"
+#include "gestalt/core/plugin/parameters.h"
+#include "gestalt/core/plugin/relation.h"
 
 namespace gestalt {
 

@@ -7,7 +7,7 @@
 
 #include <array>
 
-#include "test_scenes.h"
+#include "gestalt/tests/scenes/test_scenes.h"
 
 namespace gestalt {
 namespace {

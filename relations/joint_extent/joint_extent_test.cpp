@@ -7,7 +7,7 @@
 
 #include <cmath>
 
-#include "test_scenes.h"
+#include "gestalt/tests/scenes/test_scenes.h"
 
 namespace gestalt {
 namespace {

@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "gestalt/parameters.h"
-#include "gestalt/relation.h"
+#include "gestalt/core/plugin/parameters.h"
+#include "gestalt/core/plugin/relation.h"
 
 namespace gestalt {
 

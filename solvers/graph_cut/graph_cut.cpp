@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <tuple>
 
-#include "gestalt/disjoint_sets.h"
+#include "gestalt/core/base/disjoint_sets.h"
 #include "links.h"
 
 namespace gestalt {

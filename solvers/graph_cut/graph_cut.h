@@ -4,8 +4,8 @@
 
 #include <string>
 
-#include "gestalt/parameters.h"
-#include "gestalt/solver.h"
+#include "gestalt/core/plugin/parameters.h"
+#include "gestalt/core/plugin/solver.h"
 
 namespace gestalt {
 

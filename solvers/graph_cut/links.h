@@ -8,7 +8,7 @@
 #include <tuple>
 #include <vector>
 
-#include "gestalt/graph.h"
+#include "gestalt/core/scene/graph.h"
 
 namespace gestalt {
 

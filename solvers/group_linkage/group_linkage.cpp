@@ -6,7 +6,7 @@
 #include <algorithm>
 #include <map>
 
-#include "gestalt/disjoint_sets.h"
+#include "gestalt/core/base/disjoint_sets.h"
 #include "graph_cut.h"
 #include "links.h"
 

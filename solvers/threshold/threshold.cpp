@@ -3,7 +3,7 @@
 
 #include "threshold.h"
 
-#include "gestalt/disjoint_sets.h"
+#include "gestalt/core/base/disjoint_sets.h"
 
 namespace gestalt {
 

@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
-#include "gestalt/evaluation.h"
-#include "gestalt/input.h"
+#include "gestalt/evaluation/score/evaluation.h"
+#include "gestalt/io/scene/input.h"
 #include "run_gestalt.h"
 #include "scenes.h"
 

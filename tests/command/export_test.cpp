@@ -10,7 +10,7 @@
 #include <set>
 #include <sstream>
 
-#include "gestalt/input.h"
+#include "gestalt/io/scene/input.h"
 #include "run_gestalt.h"
 #include "scenes.h"
 

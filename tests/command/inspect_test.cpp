@@ -8,8 +8,8 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "gestalt/input.h"
-#include "gestalt/learning_set.h"
+#include "gestalt/core/pipeline/learning_set.h"
+#include "gestalt/io/scene/input.h"
 #include "run_gestalt.h"
 #include "scenes.h"
 

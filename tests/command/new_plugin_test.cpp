@@ -3,8 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include "gestalt/tests/environment/temporary_folder.h"
 #include "run_gestalt.h"
-#include "temporary_folder.h"
 
 namespace gestalt::test {
 namespace {

@@ -15,7 +15,7 @@
 #include <stdexcept>
 #include <thread>
 
-#include "temporary_folder.h"
+#include "gestalt/tests/environment/temporary_folder.h"
 
 namespace gestalt::test {
 

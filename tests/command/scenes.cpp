@@ -7,7 +7,7 @@
 #include <opencv2/imgcodecs.hpp>
 #include <stdexcept>
 
-#include "gestalt/input.h"
+#include "gestalt/io/scene/input.h"
 #include "run_gestalt.h"
 
 namespace gestalt::test {

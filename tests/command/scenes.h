@@ -7,7 +7,7 @@
 #include <string>
 #include <vector>
 
-#include "temporary_folder.h"
+#include "gestalt/tests/environment/temporary_folder.h"
 
 namespace gestalt::test {
 

@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "gestalt/pipeline.h"
+#include "gestalt/core/pipeline/pipeline.h"
 
 namespace gestalt {
 namespace {

@@ -3,7 +3,7 @@
 
 // The default config with the plugins and the model of this build, on synthetic scenes and on the learn set.
 
-#include "gestalt/pipeline.h"
+#include "gestalt/core/pipeline/pipeline.h"
 
 #include <gtest/gtest.h>
 #include <tbb/global_control.h>
@@ -14,13 +14,13 @@
 #include <future>
 #include <nlohmann/json.hpp>
 
-#include "gestalt/error.h"
-#include "gestalt/evaluation.h"
-#include "gestalt/input.h"
-#include "gestalt/learning_set.h"
-#include "gestalt/result.h"
-#include "gestalt/synthesis.h"
-#include "test_scenes.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/pipeline/learning_set.h"
+#include "gestalt/evaluation/score/evaluation.h"
+#include "gestalt/io/result/result.h"
+#include "gestalt/io/scene/input.h"
+#include "gestalt/synthesis/synthesis.h"
+#include "gestalt/tests/scenes/test_scenes.h"
 
 namespace gestalt {
 namespace {

@@ -16,7 +16,7 @@
 #include <sanitizer/common_interface_defs.h>
 #endif
 
-#include "gestalt/parameters.h"
+#include "gestalt/core/plugin/parameters.h"
 
 namespace gestalt::properties {
 

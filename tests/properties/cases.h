@@ -9,9 +9,9 @@
 #include <string>
 #include <vector>
 
-#include "gestalt/error.h"
-#include "gestalt/factory.h"
-#include "gestalt/registry.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/plugin/factory.h"
+#include "gestalt/core/plugin/registry.h"
 
 namespace gestalt::properties {
 

@@ -10,9 +10,9 @@
 #include <set>
 
 #include "cases.h"
-#include "gestalt/error.h"
-#include "gestalt/model.h"
-#include "gestalt/solver.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/pipeline/model.h"
+#include "gestalt/core/plugin/solver.h"
 
 namespace gestalt::properties {
 namespace {

@@ -3,8 +3,8 @@
 #pragma once
 
 #include "cases.h"
-#include "gestalt/frame.h"
-#include "gestalt/patch_map.h"
+#include "gestalt/core/scene/frame.h"
+#include "gestalt/core/scene/patch_map.h"
 
 namespace gestalt::properties {
 

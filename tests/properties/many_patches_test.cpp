@@ -6,8 +6,8 @@
 #include <gtest/gtest.h>
 
 #include "cases.h"
-#include "gestalt/error.h"
-#include "gestalt/pipeline.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/pipeline/pipeline.h"
 
 namespace gestalt::properties {
 namespace {

@@ -10,11 +10,11 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "gestalt/clusterer.h"
-#include "gestalt/error.h"
-#include "gestalt/fitter.h"
-#include "gestalt/relation.h"
-#include "gestalt/surface_modelling.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/pipeline/surface_modelling.h"
+#include "gestalt/core/plugin/clusterer.h"
+#include "gestalt/core/plugin/fitter.h"
+#include "gestalt/core/plugin/relation.h"
 #include "hostile_scene.h"
 
 namespace gestalt::properties {

@@ -10,10 +10,10 @@
 #include <random>
 
 #include "bspline.h"
-#include "gestalt/surface_modelling.h"
+#include "gestalt/core/pipeline/surface_modelling.h"
+#include "gestalt/tests/scenes/test_scenes.h"
 #include "normals.h"
 #include "plane.h"
-#include "test_scenes.h"
 
 namespace gestalt {
 namespace {

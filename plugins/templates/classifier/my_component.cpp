@@ -1,7 +1,7 @@
 #include "my_component.h"
 
-#include <gestalt/error.h>
-#include <gestalt/model_fields.h>
+#include <gestalt/core/base/error.h>
+#include <gestalt/core/pipeline/model_fields.h>
 
 #include <Eigen/Core>
 #include <cmath>

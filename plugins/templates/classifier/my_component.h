@@ -1,7 +1,7 @@
 #pragma once
 
-#include <gestalt/classifier.h>
-#include <gestalt/parameters.h>
+#include <gestalt/core/plugin/classifier.h>
+#include <gestalt/core/plugin/parameters.h>
 
 /// p(same) by how far a row of values lies along the line from the mean of the negative pairs to that of the positive
 /// ones: 1/2 in the middle between them.

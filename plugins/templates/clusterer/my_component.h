@@ -1,7 +1,7 @@
 #pragma once
 
-#include <gestalt/clusterer.h>
-#include <gestalt/parameters.h>
+#include <gestalt/core/plugin/clusterer.h>
+#include <gestalt/core/plugin/parameters.h>
 
 /// Connected pixels whose normals are like that of the first of them, and between which depth does not jump.
 class MyComponent final : public gestalt::Clusterer {

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <gestalt/fitter.h>
-#include <gestalt/parameters.h>
+#include <gestalt/core/plugin/fitter.h>
+#include <gestalt/core/plugin/parameters.h>
 
 /// The plane through the mean of the points, perpendicular to the direction in which they spread least.
 class MyComponent final : public gestalt::Fitter {

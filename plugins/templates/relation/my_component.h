@@ -1,7 +1,7 @@
 #pragma once
 
-#include <gestalt/parameters.h>
-#include <gestalt/relation.h>
+#include <gestalt/core/plugin/parameters.h>
+#include <gestalt/core/plugin/relation.h>
 
 /// r_my_component: difference of the two patches' mean brightness.
 class MyComponent final : public gestalt::Relation {

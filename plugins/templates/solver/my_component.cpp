@@ -1,6 +1,6 @@
 #include "my_component.h"
 
-#include <gestalt/disjoint_sets.h>
+#include <gestalt/core/base/disjoint_sets.h>
 
 #include <algorithm>
 

@@ -1,7 +1,7 @@
 #pragma once
 
-#include <gestalt/parameters.h>
-#include <gestalt/solver.h>
+#include <gestalt/core/plugin/parameters.h>
+#include <gestalt/core/plugin/solver.h>
 
 /// Joins patches from the most probable edge down, unless the two groups have an edge that speaks surely against it.
 class MyComponent final : public gestalt::Solver {

@@ -1,4 +1,4 @@
-#include <gestalt/plugin.h>
+#include <gestalt/core/plugin/plugin.h>
 
 #include "my_component.h"
 

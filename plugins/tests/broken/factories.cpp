@@ -3,7 +3,7 @@
 
 // Components whose factories fail: when they are asked for, or when they are to make something; and a good one.
 
-#include "gestalt/plugin.h"
+#include "gestalt/core/plugin/plugin.h"
 #include "one_group.h"
 
 namespace {

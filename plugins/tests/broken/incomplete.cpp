@@ -3,7 +3,7 @@
 
 // A component without a factory.
 
-#include "gestalt/plugin.h"
+#include "gestalt/core/plugin/plugin.h"
 #include "one_group.h"
 
 extern "C" GESTALT_EXPORT const gestalt_manifest* gestalt_plugin_manifest();

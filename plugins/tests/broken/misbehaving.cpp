@@ -10,7 +10,7 @@
 #include <thread>
 #include <vector>
 
-#include "gestalt/plugin.h"
+#include "gestalt/core/plugin/plugin.h"
 
 namespace {
 

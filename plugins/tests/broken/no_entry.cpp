@@ -3,7 +3,7 @@
 
 // A shared library, but no plugin.
 
-#include "gestalt/export.h"
+#include "gestalt/core/base/export.h"
 
 extern "C" GESTALT_EXPORT int nothing_of_gestalt();
 extern "C" GESTALT_EXPORT int nothing_of_gestalt() { return 0; }

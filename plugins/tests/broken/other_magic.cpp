@@ -3,7 +3,7 @@
 
 // Has the entry symbol, but what it gives is no manifest of ours.
 
-#include "gestalt/plugin.h"
+#include "gestalt/core/plugin/plugin.h"
 #include "one_group.h"
 
 extern "C" GESTALT_EXPORT const gestalt_manifest* gestalt_plugin_manifest();

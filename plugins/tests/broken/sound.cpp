@@ -3,7 +3,7 @@
 
 // Nothing is wrong with this one: it is what the others deviate from.
 
-#include "gestalt/plugin.h"
+#include "gestalt/core/plugin/plugin.h"
 #include "one_group.h"
 
 GESTALT_PLUGIN(gestalt::component<gestalt::OneGroup>("one_group", "1.2.3", "Every node in one group"))

@@ -3,7 +3,7 @@
 
 // Calls a function that no library has. Bound lazily, it would load and then end the process at the first call.
 
-#include "gestalt/plugin.h"
+#include "gestalt/core/plugin/plugin.h"
 
 extern "C" int gestalt_function_that_nobody_defines();
 

@@ -9,7 +9,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "gestalt/plugin.h"
+#include "gestalt/core/plugin/plugin.h"
 
 namespace {
 

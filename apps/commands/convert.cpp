@@ -1,0 +1,210 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gestalt/io/dataset/convert.h"
+
+#include <map>
+#include <memory>
+#include <mutex>
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "gestalt/apps/scene_batch.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/base/output_file.h"
+#include "gestalt/io/scene/scene_path.h"
+
+namespace gestalt::app {
+
+namespace {
+
+namespace fs = std::filesystem;
+
+struct Options {
+  fs::path input;
+  std::string from;          ///< empty: guessed
+  std::string to = "scene";  ///< or the extension of a file
+  std::string labels;        ///< empty: parts
+  fs::path output;
+  fs::path camera;
+};
+
+/// A scene of any layout. It goes by the path that names it in messages.
+struct SourceScene {
+  fs::path path;
+  std::string name;
+  std::function<ConvertedScene()> read;
+};
+
+std::vector<SourceScene> osd_scenes(const Options& options, const std::optional<CameraFile>& camera) {
+  std::vector<SourceScene> scenes;
+  for (const std::string& name : find_osd_scenes(options.input))
+    scenes.push_back({options.input / "disparity" / (name + ".png"), name,
+                      [=, release = options.input] { return read_osd_scene(release, name, camera); }});
+  return scenes;
+}
+
+std::vector<SourceScene> tum_scenes(const Options& options, const std::optional<CameraFile>& camera) {
+  std::vector<SourceScene> scenes;
+  for (const TumFrame& frame : find_tum_frames(options.input))
+    scenes.push_back({frame.depth, frame.depth.stem().string(), [=] { return read_tum_frame(frame, camera); }});
+  return scenes;
+}
+
+std::vector<SourceScene> bop_scenes(const Options& options, const std::optional<CameraFile>& camera) {
+  std::vector<SourceScene> scenes;
+  for (const BopImage& image : find_bop_images(options.input))
+    scenes.push_back({image.depth, bop_name(image), [=] { return read_bop_image(image, camera); }});
+  return scenes;
+}
+
+std::vector<SourceScene> ocid_scenes(const Options& options, const std::optional<CameraFile>& camera) {
+  std::vector<SourceScene> scenes;
+  for (const OcidFrame& frame : find_ocid_frames(options.input))
+    scenes.push_back({frame.depth, frame.name, [=] { return read_ocid_frame(frame, camera); }});
+  return scenes;
+}
+
+/// Files of one kind (pcd, ply, npz), or scene folders, as read_scene() reads them.
+std::vector<SourceScene> own_scenes(const Options& options, const std::optional<CameraFile>& camera) {
+  std::vector<SourceScene> scenes;
+  for (const fs::path& path : find_scenes({options.input})) {
+    const std::string kind = fs::is_directory(path) ? "scene" : lower_extension(path).substr(1);
+    if (kind != options.from)
+      throw InputError(path.string() + ": is " + (kind == "scene" ? "a scene folder already" : "no " + options.from) +
+                       "; give only what --from says");
+    const LabelKind labels = options.labels == "objects" ? LabelKind::objects : LabelKind::parts;
+    const bool labelled = options.from == "pcd";
+    scenes.push_back({path, scene_name(path), [=] {
+                        return labelled ? read_labelled_cloud(path, labels, camera)
+                                        : converted(read_scene(path, camera));
+                      }});
+  }
+  return scenes;
+}
+
+/// The layout that the input has by its files.
+std::string guess(const fs::path& input) {
+  std::error_code error;
+  const auto has = [&](const char* name) { return fs::exists(input / name, error); };
+  if (!fs::is_directory(input, error)) {
+    const std::string extension = lower_extension(input);
+    for (const char* kind : {"pcd", "ply", "npz"})
+      if (extension == std::string(".") + kind) return kind;
+  }
+  if (has("disparity") && has("annotation")) return "osd";
+  if (has("rgb.txt") && has("depth.txt")) return "tum";
+  if (has("scene_camera.json")) return "bop";
+  if (has("depth") && has("label")) return "ocid";
+  if (has("depth.png")) return "scene";
+  throw InputError(input.string() + ": its files do not tell what layout it has; give --from");
+}
+
+std::vector<SourceScene> open(const Options& options) {
+  const auto camera = options.camera.empty() ? std::nullopt : std::optional(read_camera(options.camera));
+  if (options.from == "osd") return osd_scenes(options, camera);
+  if (options.from == "tum") return tum_scenes(options, camera);
+  if (options.from == "bop") return bop_scenes(options, camera);
+  if (options.from == "ocid") return ocid_scenes(options, camera);
+  return own_scenes(options, camera);
+}
+
+/// Where the scene is then.
+fs::path write(const Options& options, const std::string& set, const std::string& name, const ConvertedScene& scene) {
+  fs::path place = options.output / set / name;
+  if (options.to == "scene") {
+    refuse_link(place);
+    write_scene_folder(place, scene.images, scene.camera, scene.depth_scale);
+    return place;
+  }
+  fs::path file = place.parent_path() / (name + "." + options.to);
+  write_files({{file, options.to == "npz"   ? npz_scene(scene)
+                      : options.to == "pcd" ? pcd_scene(scene)
+                                            : ply_scene(scene)}});
+  if (options.to == "ply") write_camera(scene.camera, place.parent_path());  // nothing in it tells the camera
+  return file;
+}
+
+int convert(Options options) {
+  if (options.from.empty()) options.from = guess(options.input);
+  if (options.from == options.to)
+    throw InputError(options.input.string() + ": is of the layout that it would be converted to");
+  const std::vector<SourceScene> scenes = open(options);
+  std::map<fs::path, const SourceScene*> by_path;
+  std::vector<fs::path> paths;
+  for (const SourceScene& scene : scenes) {
+    paths.push_back(scene.path);
+    by_path[scene.path] = &scene;
+  }
+  std::map<std::string, std::map<std::string, std::string>> categories;  // of the scenes of each set
+  std::mutex categories_in_use;
+  const int code = for_each_scene(paths, [&](const fs::path& path) {
+    const SourceScene& source = *by_path.at(path);
+    const ConvertedScene scene = source.read();
+    const auto [set, category] = osd_scene(source.name);
+    const fs::path place = write(options, set, source.name, scene);
+    if (!category.empty()) {
+      const std::lock_guard lock(categories_in_use);
+      categories[set][source.name] = category;
+    }
+    return place.string() + (scene.images.label.empty() ? "" : ": " + std::to_string(scene.objects) + " objects") +
+           (category.empty() ? "" : ", " + category);
+  });
+  for (const auto& [set, of_scenes] : categories) merge_categories(options.output / (set + ".csv"), of_scenes);
+  return code;
+}
+
+}  // namespace
+
+void add_convert(CLI::App& app, Run& run) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("convert", "Turn data of other layouts into scenes, and scenes into files");
+  command
+      ->add_option("input", options->input,
+                   "osd: the folder with image_color, disparity and annotation. tum: a sequence. bop: a scene or a "
+                   "folder of them. ocid: the release or a part of it. Else a file or scene, or a folder of those")
+      ->required()
+      ->type_name("INPUT");
+  command
+      ->add_option("--from", options->from,
+                   "Layout of the input (default: by its files): osd, the original release of the Object Segmentation "
+                   "Database; tum, an RGB-D sequence of TUM; bop, of the BOP benchmark; ocid, the Object Cluttered "
+                   "Indoor Dataset; pcd, clouds with a label for each point; ply, clouds; npz, arrays of numpy; scene, "
+                   "scene folders")
+      ->check(CLI::IsMember({"osd", "tum", "bop", "ocid", "pcd", "ply", "npz", "scene"}));
+  command
+      ->add_option("--to", options->to,
+                   "What to write: scene, folders as gestalt reads them; npz, arrays of numpy; pcd or ply, clouds")
+      ->check(CLI::IsMember({"scene", "npz", "pcd", "ply"}))
+      ->capture_default_str();
+  command
+      ->add_option("--labels", options->labels,
+                   "What labels of clouds count: parts (1 to 9 background, 20 to 29 the first object, ...; the "
+                   "default) or objects (0 background, 1 the first object, ..., as in the clouds of OSD 0.2)")
+      ->check(CLI::IsMember({"parts", "objects"}));
+  command
+      ->add_option("--output", options->output,
+                   "Folder for learn/<scene>/{rgb,depth,label}.png and camera.yaml, learn.csv with the categories, and "
+                   "the same for test; scenes whose name is neither learnN nor testN go to scenes/")
+      ->check(not_empty)
+      ->required()
+      ->type_name("DIR");
+  command
+      ->add_option(
+          "--camera", options->camera,
+          "Intrinsics of the images; without it those of the layout, of the input's files, or of a camera.yaml")
+      ->type_name("FILE");
+  command->footer(
+      "Example: gestalt convert OSD-0.2-depth --output osd\n"
+      "         gestalt reproduce osd --output report\n"
+      "         gestalt convert rgbd_dataset_freiburg1_desk --from tum --output desk\n"
+      "         gestalt convert scenes --from scene --to npz --output arrays");
+  command->callback([options, &run] {
+    if (options->from != "pcd" && !options->labels.empty())
+      throw CLI::ValidationError("--labels", "is for --from pcd; the annotation of other layouts has one meaning");
+    run = [options] { return convert(*options); };
+  });
+}
+
+}  // namespace gestalt::app

@@ -1,0 +1,236 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <yaml-cpp/yaml.h>
+
+#include <algorithm>
+#include <cmath>
+#include <fstream>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <nlohmann/json.hpp>
+#include <opencv2/core.hpp>
+
+#include "command.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/base/file_bytes.h"
+#include "gestalt/core/pipeline/learning_set.h"
+#include "gestalt/io/scene/input.h"
+#include "gestalt/io/scene/pcd_header.h"
+#include "gestalt/io/scene/scene_path.h"
+
+namespace gestalt::app {
+
+namespace fs = std::filesystem;
+using Description = nlohmann::ordered_json;
+
+namespace {
+
+constexpr std::uintmax_t largest_yaml = 1 << 20;  // bytes
+
+/// To six decimals: depth is stored in single precision, more would be noise.
+double rounded(double value) { return std::round(value * 1e6) / 1e6; }
+
+Description describe_camera(const Camera& c) {
+  return {{"width", c.width}, {"height", c.height}, {"fx", c.fx}, {"fy", c.fy}, {"cx", c.cx}, {"cy", c.cy}};
+}
+
+Description describe_labels(const cv::Mat_<std::uint16_t>& labels) {
+  std::map<int, int> pixels;
+  for (const std::uint16_t label : labels) ++pixels[label];
+  std::map<int, int> objects;
+  Description values;
+  for (const auto& [label, count] : pixels) {
+    objects[object_of_label(label)] += count;
+    values[std::to_string(label)] = count;
+  }
+  return {{"objects", std::count_if(objects.begin(), objects.end(), [](const auto& o) { return o.first > 1; })},
+          {"background_pixels", objects[1]},
+          {"ignored_pixels", objects[0]},
+          {"pixels_of_label", values}};
+}
+
+/// What a scene holds, once it is read.
+void add_scene(Description& description, const Input& input, const std::string& camera_source) {
+  const Frame& frame = input.frame;
+  const cv::Mat measured = frame.depth > 0;
+  double nearest = 0, farthest = 0;
+  cv::minMaxLoc(frame.depth, &nearest, &farthest, nullptr, nullptr, measured);
+  description["name"] = frame.name;
+  description["width"] = frame.width();
+  description["height"] = frame.height();
+  description["colour"] = frame.has_colour();
+  description["valid_pixels"] = cv::countNonZero(measured);
+  description["valid_share"] = rounded(double(cv::countNonZero(measured)) / double(frame.depth.total()));
+  description["depth_range_m"] = {rounded(nearest), rounded(farthest)};
+  if (!input.point_pixels.empty())
+    description["points_outside_image"] = std::count(input.point_pixels.begin(), input.point_pixels.end(), -1);
+  if (!input.ground_truth.empty()) description["labels"] = describe_labels(input.ground_truth);
+  description["camera"] = describe_camera(frame.camera);
+  description["camera_from"] = camera_source;
+}
+
+std::string camera_source(const fs::path& scene, const std::optional<CameraFile>& camera) {
+  if (camera) return camera->file.string();
+  const auto found = find_camera_file(scene);
+  return found ? found->string() : "fitted to the points";
+}
+
+Description describe_scene_folder(const fs::path& folder, const std::optional<CameraFile>& camera) {
+  Description description{{"kind", "scene folder"}};
+  add_scene(description, read_scene(folder, camera), camera_source(folder, camera));
+  return description;
+}
+
+Description describe_folder(const fs::path& folder, const std::optional<CameraFile>& camera) {
+  const auto scenes = find_scenes({folder});
+  if (scenes.size() == 1 && scenes[0] == folder) return describe_scene_folder(folder, camera);
+  Description names = Description::array();
+  for (const fs::path& scene : scenes) names.push_back(scene_name(scene));
+  return {{"kind", "folder of scenes"}, {"count", scenes.size()}, {"scenes", names}};
+}
+
+Description describe_cloud(const fs::path& file, const std::optional<CameraFile>& camera) {
+  const PcdHeader header = read_pcd_header(file);
+  Description fields = Description::array();
+  for (const PcdHeader::Field& field : header.fields)
+    fields.push_back(field.name + ":" + field.type + std::to_string(field.size) +
+                     (field.count > 1 ? "x" + std::to_string(field.count) : ""));
+  Description description{{"kind", header.height > 1 ? "organized cloud" : "unorganized cloud"},
+                          {"points", header.points()},
+                          {"fields", fields},
+                          {"data", to_string(header.data)}};
+  if (header.height > 1 || camera || find_camera_file(file))
+    add_scene(description, read_scene(file, camera), camera_source(file, camera));
+  else
+    description["camera_from"] = "none; give --camera, or camera.yaml beside the cloud or in a parent folder";
+  return description;
+}
+
+Description describe_scene_file(const fs::path& file, const std::optional<CameraFile>& camera) {
+  Description description{{"kind", lower_extension(file) == ".npz" ? "scene of arrays" : "PLY cloud"}};
+  add_scene(description, read_scene(file, camera), camera ? camera->file.string() : "the file, or a camera.yaml");
+  return description;
+}
+
+Description describe_model(const nlohmann::json& model) {
+  Description description{{"kind", "model"}};
+  for (const auto& [name, level] : model.at("levels").items()) {
+    const nlohmann::json& training = level.at("training");
+    description[name] = {{"classifier", level.at("classifier")},
+                         {"values", level.at("names")},
+                         {"training_minima", level.at("scaling").at("low")},
+                         {"training_maxima", level.at("scaling").at("high")},
+                         {"positive_pairs", training.at("positive_pairs")},
+                         {"negative_pairs", training.at("negative_pairs")},
+                         {"training_scenes", training.at("scenes")},
+                         {"config_hash", level.at("config_hash")}};
+  }
+  return description;
+}
+
+Description describe_result(const nlohmann::json& result) {
+  Description description{{"kind", "result of gestalt segment"}};
+  for (const char* list : {"segments", "patches", "pairs"}) description[list] = result.at(list).size();
+  for (const char* fact : {"scene", "camera", "milliseconds", "gestalt", "build"}) description[fact] = result.at(fact);
+  return description;
+}
+
+[[noreturn]] void fail(const fs::path& file, const std::string& why) {
+  throw InputError(
+      file.string() + ": " + why +
+      "; info reads scene folders, PCD, PLY and .npz files, camera files, configs, models and result.json");
+}
+
+Description describe_json(const fs::path& file) try {
+  const nlohmann::json content = nlohmann::json::parse(read_bytes(file, largest_json));
+  if (content.value("format", "") == "gestalt-model") return describe_model(content);
+  if (content.value("format", "") == "gestalt-result") return describe_result(content);
+  fail(file, "is JSON, but neither a model nor a result");
+} catch (const nlohmann::json::exception& error) {
+  fail(file, std::string("is no complete model or result: ") + error.what());
+}
+
+Description describe_yaml(const fs::path& file) {
+  YAML::Node content;
+  try {
+    content = YAML::Load(read_bytes(file, largest_yaml));
+  } catch (const YAML::Exception& error) {
+    fail(file, std::string("is no YAML: ") + error.what());
+  }
+  if (content.IsMap() && (content["schema_version"] || content["extends"])) {
+    Description sections = Description::array();
+    for (const auto& entry : content) sections.push_back(entry.first.Scalar());
+    Description description{{"kind", "config"}, {"keys", sections}};
+    for (const char* key : {"schema_version", "extends"})
+      if (content[key] && content[key].IsScalar()) description[key] = content[key].Scalar();
+    description["more"] = "gestalt config print " + file.string();
+    return description;
+  }
+  const CameraFile camera = read_camera(file);
+  Description description{{"kind", "camera file"}};
+  description.update(describe_camera(camera.camera));
+  description["depth_scale"] = camera.depth_scale;
+  return description;
+}
+
+Description describe(const fs::path& path, const std::optional<CameraFile>& camera) {
+  std::error_code error;
+  const auto status = fs::status(path, error);
+  if (status.type() == fs::file_type::not_found) fail(path, "does not exist");
+  if (status.type() == fs::file_type::directory) return describe_folder(path, camera);
+  if (status.type() != fs::file_type::regular) fail(path, "is neither a file nor a folder");
+  if (!std::ifstream(path)) fail(path, "cannot be read");
+  const std::string extension = lower_extension(path);
+  if (extension == ".pcd") return describe_cloud(path, camera);
+  if (extension == ".ply" || extension == ".npz") return describe_scene_file(path, camera);
+  if (extension == ".json") return describe_json(path);
+  if (extension == ".yaml" || extension == ".yml") return describe_yaml(path);
+  if (extension == ".png") fail(path, "is one image, not a scene; name the folder that holds it");
+  fail(path, "is of no known kind");
+}
+
+std::string one_line(const Description& value) {
+  if (value.is_string()) return value.get<std::string>();
+  if (!value.is_array()) return value.dump();
+  std::string text;
+  for (const Description& item : value) text += (text.empty() ? "" : ", ") + one_line(item);
+  return text;
+}
+
+void print(const Description& description, const std::string& indent) {
+  for (const auto& [key, value] : description.items()) {
+    std::cout << indent << key << ':' << (value.is_object() ? "" : " " + one_line(value)) << '\n';
+    if (value.is_object()) print(value, indent + "  ");
+  }
+}
+
+}  // namespace
+
+void add_info(CLI::App& app, Run& run) {
+  struct Options {
+    fs::path file, camera;
+    bool json = false;
+  };
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("info", "Say what a scene, cloud, camera, config, model or result file is");
+  command->add_option("FILE", options->file, "Scene folder, folder of scenes, PCD, YAML or JSON file")->required();
+  command->add_option("--camera", options->camera, "Camera file to read the scene with")->type_name("FILE");
+  command->add_flag("--json", options->json, "Print JSON");
+  command->footer("Example: gestalt info examples/demo_scene");
+  command->callback([options, &run] {
+    run = [options] {
+      std::optional<CameraFile> camera;
+      if (!options->camera.empty()) camera = read_camera(options->camera);
+      const Description description = describe(options->file, camera);
+      if (options->json)
+        std::cout << description.dump(2, ' ', false, Description::error_handler_t::replace) << '\n';
+      else
+        print(description, "");
+      return success;
+    };
+  });
+}
+
+}  // namespace gestalt::app

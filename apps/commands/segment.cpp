@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <iomanip>
+#include <map>
+#include <memory>
+#include <mutex>
+#include <optional>
+#include <sstream>
+
+#include "command.h"
+#include "gestalt/apps/scene_batch.h"
+#include "gestalt/apps/segmenter.h"
+#include "gestalt/apps/viewer.h"
+
+namespace gestalt::app {
+
+namespace {
+
+struct Options {
+  std::vector<std::filesystem::path> inputs;
+  bool view = false;
+  bool resume = false;
+  SegmenterOptions segmenter;
+};
+
+int segment(const Options& options) {
+  std::optional<Viewer> viewer;
+  SegmenterOptions with_clouds = options.segmenter;
+  if (options.view) {
+    viewer.emplace();
+    with_clouds.also.push_back("pcd");
+  }
+  const ThreadLimit limit(options.segmenter.pipeline.threads);
+  const std::vector<std::filesystem::path> scenes = find_scenes(options.inputs);
+  const Segmenter segmenter(with_clouds);
+  std::mutex mutex;
+  std::map<std::filesystem::path, std::filesystem::path> written;  // by scene
+  const int code = for_each_scene(scenes, [&](const std::filesystem::path& scene) {
+    if (options.resume && segmenter.has_segmented(scene)) {
+      const std::filesystem::path folder = segmenter.folder_of(scene);
+      const std::lock_guard lock(mutex);
+      written.emplace(scene, folder);
+      return folder.string() + ": is there already";
+    }
+    const SegmentedScene done = segmenter.segment(scene);
+    std::ostringstream line;
+    line << done.folder.string() << ": " << done.segments << " segments of " << done.patches << " patches, "
+         << std::fixed << std::setprecision(0) << done.milliseconds << " ms";
+    const std::lock_guard lock(mutex);
+    written.emplace(scene, done.folder);
+    return line.str();
+  });
+  if (!viewer || written.empty() || code > 128) return code;
+  std::vector<std::filesystem::path> results;
+  for (const std::filesystem::path& scene : scenes)
+    if (const auto found = written.find(scene); found != written.end()) results.push_back(found->second);
+  return std::max(code, viewer->show(results));
+}
+
+}  // namespace
+
+void add_segment(CLI::App& app, Run& run) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("segment", "Segment scenes into objects");
+  command->add_option("inputs", options->inputs, "Scene folders, files (.pcd, .ply, .npz), or folders of those")
+      ->required()
+      ->type_name("INPUT");
+  add_segmenter_options(*command, options->segmenter);
+  command->add_flag("--resume", options->resume,
+                    "Leave out scenes whose results are complete, newer than the scene, and of this config, model, "
+                    "--camera and version: goes on where a run was interrupted");
+  command->add_flag(
+      "--view", options->view,
+      "Show the results in PCL's viewer afterwards (needs a display and gestalt-view); implies --also pcd");
+  command->footer(
+      "Example: gestalt segment examples/demo_scene --output out\n"
+      "         gestalt segment cloud.ply --camera camera.yaml --also pcd,coco\n"
+      "         gestalt segment examples/demo_scene --view");
+  command->callback([options, &run] { run = [options] { return segment(*options); }; });
+}
+
+}  // namespace gestalt::app

@@ -1,0 +1,91 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <filesystem>
+#include <iostream>
+#include <map>
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "command.h"
+#include "gestalt/apps/pipeline_options.h"
+#include "gestalt/core/base/for_all.h"
+#include "gestalt/io/scene/scene_folder.h"
+#include "gestalt/synthesis/synthesis.h"
+
+namespace gestalt::app {
+
+namespace {
+
+struct SynthesizeOptions {
+  std::string category;
+  std::uint64_t seed = 1;
+  int count = 1;
+  std::filesystem::path output;
+  int width = 640;
+  int height = 480;
+  int threads = 0;
+};
+
+/// scenes -> scenes.csv beside it.
+std::filesystem::path categories_file(const std::filesystem::path& folder) {
+  const std::filesystem::path name = folder.has_filename() ? folder : folder.parent_path();
+  return name.string() + ".csv";
+}
+
+int synthesize_scenes(const SynthesizeOptions& options) {
+  const ThreadLimit thread_limit(options.threads);
+  const Category category = category_of(options.category);
+  const Camera camera = kinect_camera(options.width, options.height);
+  const std::filesystem::path folder = std::filesystem::absolute(options.output).lexically_normal();
+  // Before anything is written: a camera whose view is refused leaves nothing behind.
+  const SyntheticScene first = synthesize(category, options.seed, 0, camera);
+  write_camera(camera, folder);
+
+  std::vector<std::string> names(std::size_t(options.count));
+  for_all(names.size(), [&](std::size_t i) {
+    const SyntheticScene scene = i == 0 ? first : synthesize(category, options.seed, int(i), camera);
+    write_scene(scene, folder);
+    names[i] = scene.frame.name;
+  });
+
+  std::map<std::string, std::string> categories;
+  for (const std::string& name : names) categories[name] = options.category;
+  merge_categories(categories_file(folder), categories);
+  for (const std::string& name : names) std::cout << (options.output / name).string() << '\n';
+  return success;
+}
+
+}  // namespace
+
+void add_synthesize(CLI::App& app, Run& run) {
+  CLI::App& command =
+      *app.add_subcommand("synthesize", "Makes labelled scenes of things on a table, as a Kinect sees them");
+  auto options = std::make_shared<SynthesizeOptions>();
+  std::string known;
+  for (const std::string& name : category_names()) known += (known.empty() ? "" : ", ") + name;
+  command.footer("Example: gestalt synthesize --category complex_scene --seed 1 --count 5 --output scenes");
+  command.add_option("--category", options->category, "One of " + known)->required();
+  command.add_option("--seed", options->seed, "The same seed gives the same scenes")->capture_default_str();
+  command.add_option("--count", options->count, "Scenes to make")->check(CLI::Range(1, 100000))->capture_default_str();
+  command
+      .add_option(
+          "--output", options->output,
+          "Folder for <category>_<seed>_<index>/{rgb,depth,label}.png and camera.yaml; the categories go to a file of "
+          "the folder's name with .csv beside it")
+      ->check(not_empty)
+      ->type_name("DIR")
+      ->required();
+  command.add_option("--width", options->width, "Columns of the images")
+      ->check(CLI::Range(40, 8192))
+      ->capture_default_str();
+  command.add_option("--height", options->height, "Rows of the images")
+      ->check(CLI::Range(30, 8192))
+      ->capture_default_str();
+  command.add_option("--threads", options->threads, "Threads to use (0: all); the result is the same for any number")
+      ->check(CLI::Range(0, 1024));
+  command.callback([options, &run] { run = [options] { return synthesize_scenes(*options); }; });
+}
+
+}  // namespace gestalt::app

@@ -1,0 +1,84 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <iomanip>
+#include <iostream>
+
+#include "command.h"
+#include "gestalt/apps/pipeline_options.h"
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/base/for_all.h"
+#include "gestalt/core/base/output_file.h"
+#include "gestalt/core/pipeline/learning_set.h"
+#include "gestalt/io/scene/input.h"
+
+namespace gestalt::app {
+
+namespace {
+
+struct Options {
+  std::vector<std::filesystem::path> scenes;
+  std::filesystem::path output;
+  PipelineOptions pipeline;
+};
+
+LearningScene perceive(const Pipeline& pipeline, const std::filesystem::path& scene) {
+  const Input input = read_scene(scene);
+  if (input.ground_truth.empty())
+    throw InputError(scene.string() +
+                     ": has no ground truth; training needs a label.png, or a cloud with labels, for every scene");
+  return make_learning_scene(pipeline, input.frame, input.ground_truth);
+}
+
+void print_model(const Model& model, Level level) {
+  std::cout << name_of(level) << " level: " << model.classifier << " trained on " << model.training.scenes.size()
+            << " scenes, " << model.training.positive_pairs << " positive and " << model.training.negative_pairs
+            << " negative pairs\n"
+            << "value      scaled from\n";
+  for (std::size_t i = 0; i < model.names.size(); ++i)
+    std::cout << std::left << std::setw(10) << model.names[i] << " [" << model.scaling.low[i] << ", "
+              << model.scaling.high[i] << "]\n";
+}
+
+int train(const Options& options) {
+  const ThreadLimit limit(options.pipeline.threads);
+  const std::vector<std::filesystem::path> scenes = find_scenes(options.scenes);
+  const LoadedConfig loaded = load_config(options.pipeline);
+  const Pipeline pipeline(loaded.config, loaded.registry);
+
+  // A scene that cannot be used ends the training: a model must not silently lack what it was asked to learn.
+  std::vector<LearningScene> perceived(scenes.size());
+  for_all(scenes.size(), [&](std::size_t i) { perceived[i] = perceive(pipeline, scenes[i]); });
+
+  std::vector<const LearningScene*> all;
+  all.reserve(perceived.size());
+  for (const LearningScene& scene : perceived) all.push_back(&scene);
+  const Models models = learn(pipeline, all);
+  remove_abandoned(std::filesystem::absolute(options.output).parent_path());
+  write_models(options.output, models);
+  std::cout << options.output.string() << '\n';
+  print_model(models.structural, Level::structural);
+  if (models.assembly) print_model(*models.assembly, Level::assembly);
+  return success;
+}
+
+}  // namespace
+
+void add_train(CLI::App& app, Run& run) {
+  const auto options = std::make_shared<Options>();
+  CLI::App* command = app.add_subcommand("train", "Learn from scenes with ground truth which patches belong together");
+  command->add_option("scenes", options->scenes, "Scene folders with label.png, or folders of those")
+      ->required()
+      ->type_name("SCENES");
+  command->add_option("--output", options->output, "Model file to write")
+      ->check(not_empty)
+      ->required()
+      ->type_name("MODEL");
+  add_pipeline_options(*command, options->pipeline);
+  command->footer(
+      "Example: gestalt train scenes --output models/mine.json\n"
+      "Use it:  gestalt segment INPUT --set model=models/mine.json");
+  command->callback([options, &run] { run = [options] { return train(*options); }; });
+}
+
+}  // namespace gestalt::app

@@ -1,0 +1,63 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "line_source.h"
+
+#include <poll.h>
+#include <unistd.h>
+
+#include <array>
+#include <cerrno>
+#include <climits>
+#include <cstring>
+
+#include "gestalt/core/base/error.h"
+
+namespace gestalt::app {
+
+namespace fs = std::filesystem;
+
+LineSource::~LineSource() { ::close(file_); }
+
+std::optional<std::vector<fs::path>> LineSource::next(std::size_t at_most) {
+  std::vector<fs::path> paths;
+  split(paths, at_most);
+  for (auto wait = patience; paths.size() < at_most && !ended_ && readable(wait); wait = wait.zero()) {
+    read();
+    split(paths, at_most);
+  }
+  if (paths.empty() && ended_ && unread_.empty()) return std::nullopt;
+  return paths;
+}
+
+bool LineSource::readable(std::chrono::milliseconds wait) const {
+  pollfd poll{.fd = file_, .events = POLLIN, .revents = 0};
+  return ::poll(&poll, 1, int(wait.count())) > 0;
+}
+
+void LineSource::read() {
+  std::array<char, 4096> block;
+  const ssize_t size = ::read(file_, block.data(), block.size());
+  if (size > 0) {
+    unread_.append(block.data(), std::size_t(size));
+  } else if (size == 0) {
+    ended_ = true;
+    if (!unread_.empty()) unread_ += '\n';  // the last line may come without
+  } else if (errno != EAGAIN && errno != EINTR) {
+    throw InputError(name_ + ": cannot be read: " + std::strerror(errno));
+  }
+}
+
+void LineSource::split(std::vector<fs::path>& paths, std::size_t at_most) {
+  std::size_t begin = 0;
+  for (std::size_t end; paths.size() < at_most && (end = unread_.find('\n', begin)) != unread_.npos; begin = end + 1) {
+    ++lines_;
+    if (end > begin) paths.push_back(folder_ / unread_.substr(begin, end - begin));
+  }
+  unread_.erase(0, begin);
+  if (paths.size() < at_most && unread_.size() > PATH_MAX)
+    throw InputError(name_ + ":" + std::to_string(lines_ + 1) +
+                     ": the line is longer than a path can be; give text with one path a line");
+}
+
+}  // namespace gestalt::app

@@ -1,0 +1,30 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gestalt/core/base/deadline.h"
+
+#include <string>
+
+#include "gestalt/core/base/error.h"
+
+namespace gestalt {
+
+Deadline Deadline::within(int budget, double spent) {
+  Deadline deadline;
+  deadline.budget_ = budget;
+  if (budget > 0)
+    deadline.begin_ =
+        Clock::now() - std::chrono::duration_cast<Clock::duration>(std::chrono::duration<double, std::milli>(spent));
+  return deadline;
+}
+
+void Deadline::require(std::string_view at_work) const {
+  if (budget_ == 0) return;
+  const auto spent = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin_).count();
+  if (spent < budget_) return;
+  throw TimeError("the frame's time is over: " + std::to_string(spent) + " ms of its time_budget of " +
+                  std::to_string(budget_) + " ms were spent when " + std::string(at_work) +
+                  " was at work; allow more in the config, or take out what is slow");
+}
+
+}  // namespace gestalt

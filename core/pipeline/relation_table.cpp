@@ -1,0 +1,149 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gestalt/core/pipeline/relation_table.h"
+
+#include <tbb/blocked_range.h>
+#include <tbb/parallel_for.h>
+#include <tbb/parallel_for_each.h>
+
+#include <algorithm>
+#include <cmath>
+
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/plugin/component_call.h"
+
+namespace gestalt {
+
+namespace {
+
+// So many that a call costs little beside them, so few that all threads have some.
+constexpr std::size_t pairs_at_once = 16;
+
+void check_values(const NamedRelation& named, std::span<const double> values) {
+  const std::vector<RelationValue>& declared = named.relation->values();
+  for (std::size_t i = 0; i < values.size(); ++i)
+    if (!(values[i] >= declared[i].low && values[i] <= declared[i].high && std::isfinite(values[i])))
+      throw PluginError("relation '" + named.name + "' gave " + declared[i].name + " = " + std::to_string(values[i]) +
+                        ", outside its declared range [" + std::to_string(declared[i].low) + ", " +
+                        std::to_string(declared[i].high) + "]; report this to its author");
+}
+
+/// Indices of the values that a level has of a relation.
+std::vector<std::size_t> kept(const NamedRelation& named) {
+  const std::vector<RelationValue>& declared = named.relation->values();
+  std::vector<std::size_t> indices;
+  for (std::size_t i = 0; i < declared.size(); ++i)
+    if (named.values.empty() ||
+        std::find(named.values.begin(), named.values.end(), declared[i].name) != named.values.end())
+      indices.push_back(i);
+  return indices;
+}
+
+}  // namespace
+
+std::string value_name(const std::string& value, const std::string& relation, const std::string& plugin) {
+  return relation == plugin ? value : value + "." + relation;
+}
+
+std::vector<std::string> value_names(const std::vector<NamedRelation>& relations) {
+  std::vector<std::string> names;
+  for (const NamedRelation& named : relations)
+    for (const std::size_t i : kept(named)) {
+      const std::string name = value_name(named.relation->values()[i].name, named.name, named.plugin);
+      if (std::find(names.begin(), names.end(), name) != names.end())
+        throw ConfigError("two relations of a level give the value " + name + ", the second is '" + named.name +
+                          "'; take one of them out");
+      names.push_back(name);
+    }
+  return names;
+}
+
+namespace {
+
+/// Whether each surface has at least minimum_size pixels.
+std::vector<bool> large_enough(const SurfaceSet& surfaces, double minimum_size) {
+  std::vector<bool> large;
+  for (const Surface& surface : surfaces.surfaces) large.push_back(double(surface.pixels.size()) >= minimum_size);
+  return large;
+}
+
+}  // namespace
+
+std::vector<SurfacePair> neighbour_pairs(const SurfaceSet& surfaces, double minimum_size) {
+  const std::vector<bool> large = large_enough(surfaces, minimum_size);
+  std::vector<SurfacePair> pairs;
+  for (const Adjacency& adjacency : surfaces.adjacencies)
+    if (!adjacency.border_3d.empty() && large[std::size_t(adjacency.a)] && large[std::size_t(adjacency.b)])
+      pairs.push_back({adjacency.a, adjacency.b, &adjacency});
+  return pairs;
+}
+
+std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, double minimum_size) {
+  const std::vector<bool> large = large_enough(surfaces, minimum_size);
+  std::vector<SurfacePair> pairs;
+  auto adjacency = surfaces.adjacencies.begin();
+  for (int a = 0; a < int(large.size()); ++a) {
+    if (!large[std::size_t(a)]) continue;
+    for (int b = a + 1; b < int(large.size()); ++b) {
+      if (!large[std::size_t(b)]) continue;
+      while (adjacency != surfaces.adjacencies.end() && std::pair(adjacency->a, adjacency->b) < std::pair(a, b))
+        ++adjacency;
+      const bool touch = adjacency != surfaces.adjacencies.end() && adjacency->a == a && adjacency->b == b;
+      if (!touch || adjacency->border_3d.empty()) pairs.push_back({a, b, touch ? &*adjacency : nullptr});
+    }
+  }
+  return pairs;
+}
+
+Measures::Measures(const Scene& scene, const std::vector<NamedRelation>& relations)
+    : deadline_(scene.frame().deadline) {
+  std::map<const Relation*, ComponentName> names;
+  for (const NamedRelation& named : relations) {
+    measures_.try_emplace(named.relation.get());
+    names.try_emplace(named.relation.get(), component_name("relation", named.name));
+  }
+  tbb::parallel_for_each(measures_, [&](auto& entry) {
+    const ComponentName name = names.at(entry.first);
+    entry.second = call_component(name, [&] { return entry.first->bind(scene); });
+    deadline_.require(name);
+    if (!entry.second) throw PluginError(std::string(name) + " gave no measure; report this to its author");
+  });
+}
+
+RelationTable relate(const std::vector<SurfacePair>& pairs, const std::vector<NamedRelation>& relations,
+                     const Measures& measures) {
+  RelationTable table{value_names(relations), {}, {}};
+  const std::size_t columns = table.names.size();
+  table.values.resize(columns * pairs.size());
+  for (const SurfacePair& pair : pairs) table.pairs.push_back({pair.a, pair.b});
+  std::vector<std::vector<std::size_t>> kept_of;
+  kept_of.reserve(relations.size());
+  std::vector<ComponentName> names;
+  names.reserve(relations.size());
+  for (const NamedRelation& named : relations) {
+    kept_of.push_back(kept(named));
+    names.push_back(component_name("relation", named.name));
+  }
+  tbb::parallel_for(tbb::blocked_range<std::size_t>(0, pairs.size(), pairs_at_once), [&](const auto& range) {
+    const std::span<const SurfacePair> some(pairs.data() + range.begin(), range.size());
+    std::size_t column = 0;
+    std::vector<double> own;
+    for (std::size_t r = 0; r < relations.size(); ++r) {
+      const std::size_t width = relations[r].relation->values().size();
+      own.assign(width * some.size(), 0);
+      call_component(names[r], [&] { measures.of(*relations[r].relation).measure(some, own); });
+      measures.deadline().require(names[r]);
+      for (std::size_t i = 0; i < some.size(); ++i) {
+        const std::span<const double> row(own.data() + i * width, width);
+        check_values(relations[r], row);
+        for (std::size_t k = 0; k < kept_of[r].size(); ++k)
+          table.values[(range.begin() + i) * columns + column + k] = row[kept_of[r][k]];
+      }
+      column += kept_of[r].size();
+    }
+  });
+  return table;
+}
+
+}  // namespace gestalt

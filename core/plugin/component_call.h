@@ -1,0 +1,45 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <new>
+#include <string>
+
+#include "gestalt/core/base/error.h"
+
+namespace gestalt {
+
+/// What messages call a component: "relation 'gabor'". The text lives as long as the process.
+using ComponentName = const char*;
+ComponentName component_name(const std::string& kind, const std::string& name);
+
+/// While it lives, running_component() gives the name on this thread.
+class RunningComponent {
+ public:
+  explicit RunningComponent(ComponentName name) noexcept;
+  ~RunningComponent();
+  RunningComponent(const RunningComponent&) = delete;
+  RunningComponent& operator=(const RunningComponent&) = delete;
+
+ private:
+  ComponentName before_;
+};
+
+/// Lets a component work. What it throws that is no Error, as code of others may, becomes a PluginError with its name.
+template <class Work>
+auto call_component(ComponentName name, const Work& work) {
+  const RunningComponent running(name);
+  try {
+    return work();
+  } catch (const Error&) {
+    throw;
+  } catch (const std::bad_alloc&) {
+    throw PluginError(std::string(name) + " failed: it got no more memory");
+  } catch (const std::exception& error) {
+    throw PluginError(std::string(name) + " failed: " + error.what());
+  } catch (...) {
+    throw PluginError(std::string(name) + " failed, and threw what has no message");
+  }
+}
+
+}  // namespace gestalt

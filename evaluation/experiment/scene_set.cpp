@@ -1,0 +1,72 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "scene_set.h"
+
+#include <optional>
+
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/base/for_all.h"
+#include "gestalt/core/base/hash.h"
+#include "gestalt/io/scene/input.h"
+#include "whole_file.h"
+
+namespace gestalt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Hash of every file that reading the scene looks at.
+std::string contents(const fs::path& scene) {
+  std::vector<fs::path> files;
+  if (fs::is_directory(scene))
+    for (const char* name : {"depth.png", "rgb.png", "label.png"}) files.push_back(scene / name);
+  else
+    files.push_back(scene);
+  if (const std::optional<fs::path> camera = find_camera_file(scene)) files.push_back(*camera);
+  std::string text;
+  for (const fs::path& file : files) {
+    std::error_code error;
+    text += " " + (fs::exists(file, error) ? content_hash(whole_file(file)) : "none");
+  }
+  return text;
+}
+
+}  // namespace
+
+SceneSet::SceneSet(const Protocol& protocol) {
+  const auto append = [&](const std::vector<fs::path>& paths, bool learnt, bool scored) {
+    const std::vector<std::string> categories = scene_categories(paths);
+    for (std::size_t i = 0; i < paths.size(); ++i)
+      scenes.push_back({paths[i], scene_name(paths[i]), categories[i], learnt, scored});
+  };
+  const bool cross_validation = protocol.test.empty();
+  append(protocol.learn, true, cross_validation);
+  append(protocol.test, false, true);
+  if (cross_validation) {
+    folds = protocol.folds;
+    fold = deal_folds(scene_categories(protocol.learn), folds, protocol.seed);
+    for (std::size_t i = 0; i < scenes.size(); ++i) scenes[i].model = fold[i];
+  }
+  for (std::size_t set = 0; set < protocol.further.size(); ++set)
+    for (const fs::path& path : protocol.further[set].scenes)
+      scenes.push_back({path, scene_name(path), protocol.further[set].name, false, true, folds, int(set)});
+}
+
+std::string canonical(const SceneSet& set) {
+  std::vector<std::string> texts(set.scenes.size());
+  for_all(texts.size(), [&](std::size_t i) {
+    const SceneUse& scene = set.scenes[i];
+    texts[i] = std::string(scene.learnt        ? "learn "
+                           : scene.further < 0 ? "test "
+                                               : "further ") +
+               scene.name + " [" + scene.category + "] model " + std::to_string(scene.model) + contents(scene.path) +
+               "\n";
+  });
+  std::string text = "folds " + std::to_string(set.folds) + "\n";
+  for (const std::string& scene : texts) text += scene;
+  return text;
+}
+
+}  // namespace gestalt

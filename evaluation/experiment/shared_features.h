@@ -1,0 +1,32 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <memory>
+#include <string>
+#include <vector>
+
+#include "gestalt/core/pipeline/pipeline.h"
+#include "gestalt/evaluation/experiment/experiment.h"
+
+namespace gestalt {
+
+/// The relations of several variants with equal canonical_surfaces(), as one pipeline that computes each of them once
+/// for a scene.
+class SharedFeatures {
+ public:
+  SharedFeatures(const std::vector<const Variant*>& variants, const Registry& registry);
+
+  LearningScene perceive(const Frame& frame, const cv::Mat_<std::uint16_t>& ground_truth) const;
+
+  /// The scene as the variant's own pipeline would perceive it: its relations in its order, the values that it keeps,
+  /// the pairs of patches that are large enough for it.
+  LearningScene scene_for(const Variant& variant, const LearningScene& shared) const;
+
+ private:
+  std::vector<ComponentConfig> structural_;  ///< of all variants, each once
+  std::vector<ComponentConfig> assembly_;
+  std::unique_ptr<const Pipeline> pipeline_;
+};
+
+}  // namespace gestalt

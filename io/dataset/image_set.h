@@ -1,0 +1,26 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+
+#include "gestalt/io/dataset/convert.h"
+
+namespace gestalt {
+
+/// Depth, and colour where a file is named, of the camera's size.
+/// Throws InputError naming the file and the remedy.
+SceneImages read_images(const std::filesystem::path& depth, const std::filesystem::path& colour, const Camera& camera);
+
+/// An image of labels of the same size as depth, as it is.
+cv::Mat_<std::uint16_t> read_labels(const std::filesystem::path& file, cv::Size size);
+
+/// The PNG files of a folder, in natural order. Throws InputError when it cannot be listed or has none.
+std::vector<std::filesystem::path> png_files(const std::filesystem::path& folder);
+
+/// labels_of_objects(), naming the file of the annotation in messages.
+cv::Mat_<std::uint16_t> labels_from(const std::filesystem::path& annotation, const cv::Mat_<std::uint16_t>& objects,
+                                    const cv::Mat_<std::uint16_t>& depth);
+
+}  // namespace gestalt

@@ -1,0 +1,166 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gestalt/io/result/result.h"
+
+#include <pcl/io/pcd_io.h>
+#include <pcl/point_types.h>
+#include <tbb/parallel_for.h>
+
+#include <algorithm>
+#include <cmath>
+#include <iterator>
+#include <map>
+#include <nlohmann/json.hpp>
+#include <opencv2/imgproc.hpp>
+
+#include "gestalt/core/base/isolated.h"
+#include "gestalt/core/base/output_file.h"
+#include "gestalt/core/scene/contour.h"
+#include "gestalt/io/scene/png_codec.h"
+
+namespace gestalt {
+
+namespace {
+
+using Json = nlohmann::json;
+
+Json camera_json(const Camera& c) {
+  return {{"width", c.width}, {"height", c.height}, {"fx", c.fx}, {"fy", c.fy}, {"cx", c.cx}, {"cy", c.cy}};
+}
+
+Json segments_json(const Segmentation& segmentation) {
+  Json segments = Json::array();
+  for (std::size_t i = 0; i < segmentation.segments.size(); ++i)
+    segments.push_back({{"label", i + 1},
+                        {"pixels", segmentation.segments[i].pixel_count},
+                        {"role", name_of(segmentation.segments[i].role)},
+                        {"patches", segmentation.segments[i].surfaces}});
+  return segments;
+}
+
+/// To 10 micrometres, or as much of a B-spline's domain.
+double rounded(double value) { return std::round(value * 1e5) / 1e5; }
+
+/// Contours in the parameters of the surface, without the pixels that deviate by a pixel or less from a straight line.
+Json outlines_json(const Frame& frame, const SurfaceModel& model, const std::vector<Contour>& contours) {
+  Json outlines = Json::array();
+  for (const Contour& contour : contours) {
+    std::vector<cv::Point> line, corners;
+    for (const int pixel : contour.pixels) line.emplace_back(pixel % frame.width(), pixel / frame.width());
+    cv::approxPolyDP(line, corners, 1, true);
+    Json vertices = Json::array();
+    for (const cv::Point& corner : corners)
+      if (const auto place = model.parameters(frame.point(corner.y * frame.width() + corner.x)))
+        vertices.push_back({rounded(place->x()), rounded(place->y())});
+    if (!vertices.empty()) outlines.push_back({{"hole", contour.hole}, {"vertices", std::move(vertices)}});
+  }
+  return outlines;
+}
+
+double rms_distance(const Frame& frame, const Surface& surface) {
+  double sum = 0;
+  for (const int pixel : surface.pixels) sum += double(surface.model->squared_distance(frame.point(pixel)));
+  return std::sqrt(sum / double(surface.pixels.size()));
+}
+
+Json patches_json(const Frame& frame, const SurfaceSet& surfaces) {
+  const std::vector<std::vector<Contour>> contours = find_contours(surfaces);
+  std::vector<Json> patches(surfaces.surfaces.size());
+  tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t i) {
+    const Surface& surface = surfaces.surfaces[i];
+    patches[i] = {{"patch", i},
+                  {"pixels", surface.pixels.size()},
+                  {"surface", surface.model->to_json()},
+                  {"rms", rms_distance(frame, surface)},
+                  {"outlines", outlines_json(frame, *surface.model, contours[i])}};
+    if (std::any_of(surface.refusals.begin(), surface.refusals.end(), [](const auto& r) { return !r.empty(); }))
+      patches[i]["refusals"] = surface.refusals;
+  });
+  return patches;
+}
+
+/// The edges of the graph with the relation values that they come from.
+Json pairs_json(const Percept& percept, const Graph& graph) {
+  Json pairs = Json::array();
+  std::map<Level, std::size_t> next;
+  for (const Edge& edge : graph.edges) {
+    const RelationTable& table = edge.level == Level::structural ? percept.structural : percept.assembly;
+    std::size_t& row = next[edge.level];  // a table's rows are sorted as the edges are
+    while (table.pairs.at(row).a != edge.a || table.pairs.at(row).b != edge.b) ++row;
+    Json values;
+    for (std::size_t k = 0; k < table.names.size(); ++k) values[table.names[k]] = table.row(row)[k];
+    pairs.push_back({{"a", edge.a},
+                     {"b", edge.b},
+                     {"level", name_of(edge.level)},
+                     {"p", edge.probability},
+                     {"relations", std::move(values)}});
+  }
+  return pairs;
+}
+
+/// The original points with the label of the pixel that they are seen in, as a binary PCD file.
+std::string point_labels(const Input& input, const cv::Mat_<std::uint16_t>& labels) {
+  pcl::PointCloud<pcl::PointXYZL> cloud;
+  cloud.resize(input.cloud.size());
+  for (std::size_t i = 0; i < input.cloud.size(); ++i) {
+    pcl::PointXYZL& point = cloud[i];
+    point.x = input.cloud[i][0], point.y = input.cloud[i][1], point.z = input.cloud[i][2];
+    const int pixel = input.point_pixels[i];
+    point.label = pixel < 0 ? 0 : labels.ptr<std::uint16_t>()[pixel];
+  }
+  std::string bytes = pcl::PCDWriter::generateHeader(cloud) + "DATA binary\n";
+  for (const pcl::PointXYZL& point : cloud) {
+    bytes.append(reinterpret_cast<const char*>(point.data), 3 * sizeof(float));
+    bytes.append(reinterpret_cast<const char*>(&point.label), sizeof point.label);
+  }
+  return bytes;
+}
+
+/// From which another program, started elsewhere, finds the input again; "" of one made in memory.
+std::string absolute_path(const std::filesystem::path& path) {
+  return path.empty() ? "" : std::filesystem::absolute(path).lexically_normal().string();
+}
+
+}  // namespace
+
+Json result_json(const Input& input, const Percept& percept, const Segmentation& segmentation, const LevelTimes& times,
+                 const Json& config) {
+  Json patches;
+  isolated([&] { patches = patches_json(input.frame, percept.surfaces); });
+  return {{"format", "gestalt-result"},
+          {"version", 2},
+          {"gestalt", GESTALT_VERSION},
+          {"build", build_fingerprint()},
+          {"scene", input.frame.name},
+          {"input", absolute_path(input.path)},
+          {"camera", camera_json(input.frame.camera)},
+          {"segments", segments_json(segmentation)},
+          {"patches", std::move(patches)},
+          {"pairs", pairs_json(percept, segmentation.graph)},
+          {"milliseconds",
+           {{"signal", times.signal},
+            {"primitive", times.primitive},
+            {"structural", times.structural},
+            {"assembly", times.assembly},
+            {"decision", times.decision},
+            {"total", times.total()}}},
+          {"config", config}};
+}
+
+void write_result(const std::filesystem::path& folder, const Input& input, const Percept& percept,
+                  const Segmentation& segmentation, const LevelTimes& times, const Json& config,
+                  std::vector<OutputFile> more) {
+  std::vector<OutputFile> files{{folder / "labels.png", encode_png(segmentation.labels)},
+                                {folder / "objects.png", encode_png(object_labels(segmentation))},
+                                {folder / "overlay.png", encode_png(draw_segments(input.frame, segmentation))},
+                                {folder / "patches.png", encode_png(draw_patches(percept.surfaces.labels))}};
+  if (!input.cloud.empty()) files.push_back({folder / "labels.pcd", point_labels(input, segmentation.labels)});
+  std::move(more.begin(), more.end(), std::back_inserter(files));
+  Json result = result_json(input, percept, segmentation, times, config);
+  for (const OutputFile& file : files) result["files"].push_back(file.file.filename().string());
+  // A scene's name comes from a path, which may be no UTF-8.
+  write_files(files, {folder / "result.json", result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"});
+}
+
+}  // namespace gestalt

@@ -1,0 +1,101 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include <algorithm>
+#include <cctype>
+#include <map>
+
+#include "gestalt/core/base/error.h"
+#include "gestalt/io/scene/input.h"
+#include "gestalt/io/scene/scene_path.h"
+#include "natural_order.h"
+
+namespace gestalt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+/// Clouds and arrays.
+bool is_scene_file(const fs::path& file) {
+  const std::string extension = lower_extension(file);
+  return extension == ".pcd" || extension == ".ply" || extension == ".npz";
+}
+
+bool is_scene_folder(const fs::path& folder) {
+  std::error_code error;
+  return fs::exists(folder / "depth.png", error) || fs::exists(folder / "rgb.png", error);
+}
+
+std::vector<fs::path> scenes_in(const fs::path& folder) {
+  std::error_code error;
+  std::vector<fs::path> scenes;
+  fs::directory_iterator entry(folder, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
+    const fs::path& path = entry->path();
+    if (is_scene(path)) scenes.push_back(path);
+  }
+  if (error) throw InputError(folder.string() + ": cannot be listed: " + error.message());
+  if (scenes.empty())
+    throw InputError(folder.string() +
+                     ": holds no scene; give a folder with depth.png (and rgb.png), a .pcd, .ply or .npz file, or a "
+                     "folder of those");
+  std::sort(scenes.begin(), scenes.end(), scene_less);
+  return scenes;
+}
+
+}  // namespace
+
+std::string lower_extension(const fs::path& file) {
+  std::string extension = file.extension().string();
+  std::transform(extension.begin(), extension.end(), extension.begin(),
+                 [](unsigned char c) { return char(std::tolower(c)); });
+  return extension;
+}
+
+bool is_scene(const fs::path& path) {
+  std::error_code ignored;
+  return fs::is_directory(path, ignored) ? is_scene_folder(path) : is_scene_file(path);
+}
+
+bool scene_less(const fs::path& a, const fs::path& b) {
+  return natural_less(a.filename().string(), b.filename().string());
+}
+
+std::string scene_name(const fs::path& scene) {
+  std::error_code error;
+  fs::path path = fs::absolute(scene, error).lexically_normal();
+  if (!path.has_filename()) path = path.parent_path();
+  const std::string name = (fs::is_directory(path, error) ? path.filename() : path.stem()).string();
+  // That of a file '...pcd' would put results beside the output folder.
+  if (name == "." || name == "..")
+    throw InputError(scene.string() + ": has the name '" + name + "', which no folder of results can have; rename it");
+  return name;
+}
+
+std::vector<fs::path> find_scenes(const std::vector<fs::path>& paths) {
+  std::vector<fs::path> scenes;
+  for (const fs::path& path : paths) {
+    std::error_code error;
+    const auto status = fs::status(path, error);
+    if (status.type() == fs::file_type::not_found) throw InputError(path.string() + ": does not exist; check the path");
+    if (error) throw InputError(path.string() + ": cannot be read: " + error.message());
+    if (status.type() == fs::file_type::directory && !is_scene_folder(path)) {
+      const auto inside = scenes_in(path);
+      scenes.insert(scenes.end(), inside.begin(), inside.end());
+    } else if (status.type() == fs::file_type::directory || is_scene_file(path)) {
+      scenes.push_back(path);
+    } else {
+      throw InputError(path.string() +
+                       ": is no scene; give a scene folder, a .pcd, .ply or .npz file, or a folder of those");
+    }
+  }
+  std::map<std::string, fs::path> names;
+  for (const fs::path& scene : scenes)
+    if (const auto [other, is_new] = names.emplace(scene_name(scene), scene); !is_new)
+      throw InputError(scene.string() + ": has the same name as " + other->second.string() +
+                       ", their results would be mixed up; give them apart or rename one");
+  return scenes;
+}
+
+}  // namespace gestalt

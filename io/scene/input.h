@@ -1,0 +1,68 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gestalt/core/scene/frame.h"
+
+namespace gestalt {
+
+/// What a camera file says.
+struct CameraFile {
+  CameraFile() = default;
+  /// Implicit, so that intrinsics made in memory can be given where a camera file can.
+  CameraFile(const Camera& intrinsics) : camera(intrinsics) {}  // NOLINT(google-explicit-constructor)
+
+  Camera camera;
+  double depth_scale = 0.001;  ///< metres per unit of depth.png, in [1e-6, 1]; clouds are in metres and do not use it
+  std::filesystem::path file;  ///< where it was read; empty when made in memory
+};
+
+/// Reads width, height, fx, fy, cx, cy (pixels) and, where present, depth_scale from YAML; no other key is allowed.
+/// Or a camera_info of ROS without distortion.
+/// Throws InputError with all errors of the file together, each `file:line:column: message`, counted from 1.
+GESTALT_EXPORT CameraFile read_camera(const std::filesystem::path& file);
+
+/// Depth in metres, each the float that is nearest to raw * scale; scale as CameraFile::depth_scale.
+GESTALT_EXPORT cv::Mat_<float> depth_in_metres(const cv::Mat_<std::uint16_t>& raw, double scale);
+
+/// The camera.yaml that belongs to a scene: in the scene folder, or the folder that holds the cloud, or its nearest
+/// parent (as the path is written: symbolic links are not resolved). Nothing when there is none.
+GESTALT_EXPORT std::optional<std::filesystem::path> find_camera_file(const std::filesystem::path& scene);
+
+/// One scene as read from disk.
+struct Input {
+  std::filesystem::path path;            ///< the scene folder or the cloud file, as given
+  Frame frame;                           ///< named as scene_name()
+  cv::Mat_<std::uint16_t> ground_truth;  ///< label.png or the cloud's label field (see object_of_label()); else empty
+  std::vector<cv::Vec3f> cloud;          ///< unorganized clouds only: the original points, metres, as they were read
+  std::vector<int> point_pixels;         ///< unorganized clouds only: the pixel of each original point (also of those
+                                         ///< hidden behind a nearer one), -1 = outside the image, behind the camera or
+                                         ///< without a finite position
+};
+
+/// The name of a scene in results: the folder's name, or the cloud's without extension. It names an entry of a folder:
+/// throws InputError where it would be '.' or '..'.
+GESTALT_EXPORT std::string scene_name(const std::filesystem::path& scene);
+
+/// Every scene below the given paths, in the given order, the scenes of a folder in natural order (learn2 before
+/// learn10). A path is a scene folder, a .pcd, .ply or .npz file, or a folder of those; other files in a folder are
+/// left out. A folder with depth.png or rgb.png counts as a scene, so that one that lacks its depth is reported when it
+/// is read, not lost. Throws InputError for a path that does not exist or holds no scene, and for two scenes of the
+/// same name.
+GESTALT_EXPORT std::vector<std::filesystem::path> find_scenes(const std::vector<std::filesystem::path>& paths);
+
+/// Reads a scene folder or a PCD (formats: docs/formats.md). camera, where given, is used in place of what would be
+/// found, depth_scale included; else find_camera_file(); an organized cloud without either gets intrinsics fitted to
+/// its points. A cloud is unorganized when its height is 1 and the camera does not have just its size: then each
+/// point goes to its nearest pixel, the nearest point of a pixel wins. Throws InputError, which names the file, the
+/// place and the remedy, for everything that cannot be used. Thread-safe; prints nothing.
+GESTALT_EXPORT Input read_scene(const std::filesystem::path& path,
+                                const std::optional<CameraFile>& camera = std::nullopt);
+
+}  // namespace gestalt

@@ -1,0 +1,158 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "npz_scene.h"
+
+#include <array>
+#include <cmath>
+#include <cstring>
+
+#include "gestalt/core/base/error.h"
+#include "gestalt/io/scene/converted_scene.h"
+#include "npz_file.h"
+
+namespace gestalt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+using Arrays = std::map<std::string, NpyArray>;
+using Shape = std::vector<std::size_t>;
+
+const std::array<std::string, 5> names{"depth", "rgb", "label", "K", "depth_scale"};
+constexpr std::size_t most_pixels = std::size_t{1} << 26;
+
+std::string text(const Shape& shape) {
+  std::string all;
+  for (const std::size_t extent : shape) all += (all.empty() ? "" : ", ") + std::to_string(extent);
+  return "(" + all + ")";
+}
+
+/// The arrays of one file.
+class Scene {
+ public:
+  explicit Scene(const fs::path& file) : file_(file), arrays_(read_npz(file, names)) {
+    const NpyArray* depth = find("depth");
+    if (!depth)
+      throw InputError(file.string() + ": has no array 'depth'; write numpy.savez_compressed(file, depth=, rgb=, K=)");
+    if (depth->shape.size() != 2 || depth->count() == 0 || depth->count() > most_pixels)
+      fail("depth", "has the shape " + text(depth->shape) + "; it must be (height, width), up to 2^26 pixels");
+    size_ = cv::Size(int(depth->shape[1]), int(depth->shape[0]));
+  }
+
+  cv::Mat_<float> depth() const {
+    const NpyArray& array = arrays_.at("depth");
+    if (array.kind == 'b') fail("depth", "is of booleans; it must be of integers or floats");
+    const double scale = array.kind == 'f' ? 1 : depth_scale();
+    cv::Mat_<float> depth(size_);
+    for (std::size_t i = 0; i < array.count(); ++i) depth.ptr<float>()[i] = float(array.at(i) * scale);
+    return depth;
+  }
+
+  cv::Mat colour() const {
+    const NpyArray* array = find("rgb");
+    if (!array) return {};
+    if (array->kind != 'u' || array->size != 1 || array->shape != Shape{rows(), columns(), 3})
+      fail("rgb",
+           "must be of uint8 and have the shape " + text({rows(), columns(), 3}) + ", it has " + text(array->shape));
+    cv::Mat_<cv::Vec3b> colour(size_);
+    const auto* in = reinterpret_cast<const std::uint8_t*>(array->bytes.data());
+    for (std::size_t i = 0; i < colour.total(); ++i)
+      colour.ptr<cv::Vec3b>()[i] = {in[3 * i + 2], in[3 * i + 1], in[3 * i]};
+    return colour;
+  }
+
+  cv::Mat_<std::uint16_t> label() const {
+    const NpyArray* array = find("label");
+    if (!array) return {};
+    if (array->kind == 'f' || array->shape != Shape{rows(), columns()})
+      fail("label",
+           "must be of integers and have the shape " + text({rows(), columns()}) + ", it has " + text(array->shape));
+    cv::Mat_<std::uint16_t> label(size_);
+    for (std::size_t i = 0; i < label.total(); ++i) {
+      const double value = array->at(i);
+      if (value < 0 || value > 65535) fail("label", "has a label outside of 0 to 65535");
+      label.ptr<std::uint16_t>()[i] = std::uint16_t(value);
+    }
+    return label;
+  }
+
+  Camera camera(const std::optional<CameraFile>& given) const {
+    if (given) return given->camera;
+    const NpyArray* array = find("K");
+    if (!array) {
+      const auto found = find_camera_file(file_);
+      if (!found)
+        throw InputError(file_.string() + ": has no array 'K', nor is there a camera.yaml; write K, or give --camera");
+      return read_camera(*found).camera;
+    }
+    if (array->shape != Shape{3, 3}) fail("K", "must have the shape (3, 3), it has " + text(array->shape));
+    return {size_.width, size_.height, array->at(0), array->at(4), array->at(2), array->at(5)};
+  }
+
+ private:
+  [[noreturn]] void fail(const std::string& array, const std::string& what) const {
+    throw InputError(file_.string() + ": array '" + array + "' " + what);
+  }
+
+  const NpyArray* find(const std::string& name) const {
+    const auto found = arrays_.find(name);
+    return found == arrays_.end() ? nullptr : &found->second;
+  }
+
+  double depth_scale() const {
+    const NpyArray* array = find("depth_scale");
+    if (!array) return 0.001;
+    const double scale = array->count() == 1 ? array->at(0) : 0;
+    if (!(scale >= 1e-6 && scale <= 1)) fail("depth_scale", "must be one number from 1e-06 to 1, metres per unit");
+    return scale;
+  }
+
+  std::size_t rows() const { return std::size_t(size_.height); }
+  std::size_t columns() const { return std::size_t(size_.width); }
+
+  const fs::path& file_;
+  Arrays arrays_;
+  cv::Size size_;
+};
+
+template <class T>
+NpyArray array_of(char kind, Shape shape, const T* values, std::size_t count) {
+  return {kind, sizeof(T), std::move(shape), std::string(reinterpret_cast<const char*>(values), count * sizeof(T))};
+}
+
+}  // namespace
+
+Input read_npz_scene(const fs::path& file, const std::optional<CameraFile>& camera) {
+  const Scene scene(file);
+  Input input;
+  input.ground_truth = scene.label();
+  input.frame = make_frame(file.string(), scene.colour(), scene.depth(), scene.camera(camera));
+  return input;
+}
+
+std::string npz_scene(const ConvertedScene& scene) {
+  const SceneImages& images = scene.images;
+  const std::size_t rows = std::size_t(images.depth.rows), columns = std::size_t(images.depth.cols);
+  const Camera& c = scene.camera;
+  const std::array<double, 9> k{c.fx, 0, c.cx, 0, c.fy, c.cy, 0, 0, 1};
+  const cv::Mat_<std::uint16_t> depth = images.depth.clone();  // without gaps between rows
+  std::map<std::string, NpyArray> arrays{
+      {"depth", array_of('u', {rows, columns}, depth.ptr<std::uint16_t>(), depth.total())},
+      {"depth_scale", array_of('f', {}, &scene.depth_scale, 1)},
+      {"K", array_of('f', {3, 3}, k.data(), k.size())}};
+  if (!images.label.empty()) {
+    const cv::Mat_<std::uint16_t> label = images.label.clone();
+    arrays["label"] = array_of('u', {rows, columns}, label.ptr<std::uint16_t>(), label.total());
+  }
+  if (!images.colour.empty()) {
+    cv::Mat_<cv::Vec3b> rgb(images.colour.size());
+    std::transform(images.colour.begin<cv::Vec3b>(), images.colour.end<cv::Vec3b>(), rgb.begin(),
+                   [](const cv::Vec3b& bgr) { return cv::Vec3b(bgr[2], bgr[1], bgr[0]); });
+    arrays["rgb"] = array_of('u', {rows, columns, 3}, rgb.ptr<std::uint8_t>(), 3 * rgb.total());
+  }
+  return encode_npz(arrays);
+}
+
+}  // namespace gestalt

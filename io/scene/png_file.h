@@ -1,0 +1,25 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <opencv2/core.hpp>
+
+#include "gestalt/core/base/export.h"
+
+namespace gestalt {
+
+// All throw InputError naming the file and the remedy for a file that is no complete PNG, that has more than 2^26
+// pixels, or has another kind of pixels than said.
+
+/// Any 8-bit image (grey, colour, palette, with or without alpha) as CV_8UC3, blue green red; alpha is dropped.
+GESTALT_EXPORT cv::Mat read_colour_png(const std::filesystem::path& file);
+
+/// One channel of 16 bits.
+GESTALT_EXPORT cv::Mat_<std::uint16_t> read_depth_png(const std::filesystem::path& file);
+
+/// One channel of 8 or 16 bits.
+GESTALT_EXPORT cv::Mat_<std::uint16_t> read_label_png(const std::filesystem::path& file);
+
+}  // namespace gestalt

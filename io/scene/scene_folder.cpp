@@ -1,0 +1,110 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gestalt/io/scene/scene_folder.h"
+
+#include <cmath>
+#include <fstream>
+#include <iomanip>
+#include <limits>
+#include <locale>
+#include <sstream>
+
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/base/output_file.h"
+#include "gestalt/io/scene/png_codec.h"
+
+namespace gestalt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+std::string read_all(const fs::path& file) {
+  std::ifstream in(file, std::ios::binary);
+  std::ostringstream text;
+  text << in.rdbuf();
+  if (!in) throw InputError(file.string() + ": cannot be read; check that it is a file and its permission");
+  return text.str();
+}
+
+std::string camera_text(const Camera& camera, double depth_scale = 0.001) {
+  std::ostringstream text;
+  text.imbue(std::locale::classic());
+  text << std::setprecision(17)
+       << "# pinhole intrinsics of every scene here (pixels); depth_scale: metres per unit of depth.png\n"
+       << "width: " << camera.width << "\nheight: " << camera.height << "\nfx: " << camera.fx << "\nfy: " << camera.fy
+       << "\ncx: " << camera.cx << "\ncy: " << camera.cy << "\ndepth_scale: " << std::setprecision(6) << depth_scale
+       << "\n";
+  return text.str();
+}
+
+/// depth.png comes last: a folder with depth is a whole scene.
+std::vector<OutputFile> image_files(const fs::path& folder, const SceneImages& images) {
+  std::vector<OutputFile> files;
+  if (!images.colour.empty()) files.push_back({folder / "rgb.png", encode_png(images.colour)});
+  if (!images.label.empty()) files.push_back({folder / "label.png", encode_png(images.label)});
+  files.push_back({folder / "depth.png", encode_png(images.depth)});
+  return files;
+}
+
+}  // namespace
+
+cv::Mat_<std::uint16_t> depth_in_millimetres(const Frame& frame) {
+  cv::Mat_<std::uint16_t> millimetres(frame.depth.size());
+  for (int v = 0; v < millimetres.rows; ++v)
+    for (int u = 0; u < millimetres.cols; ++u) {
+      const double depth = std::round(1000.0 * double(frame.depth(v, u)));
+      if (depth > std::numeric_limits<std::uint16_t>::max())
+        throw InputError(frame.name + ": has a depth of " + std::to_string(frame.depth(v, u)) +
+                         " m; 16-bit millimetres reach 65.5 m, take points beyond out");
+      millimetres(v, u) = std::uint16_t(depth);
+    }
+  return millimetres;
+}
+
+void write_scene_folder(const fs::path& folder, const SceneImages& images) { write_files(image_files(folder, images)); }
+
+void write_scene_folder(const fs::path& folder, const SceneImages& images, const Camera& camera, double depth_scale) {
+  std::vector<OutputFile> files = image_files(folder, images);
+  files.insert(files.begin(), {folder / "camera.yaml", camera_text(camera, depth_scale)});
+  write_files(files);
+}
+
+void write_camera(const Camera& camera, const fs::path& folder) {
+  const std::string text = camera_text(camera);
+  const fs::path file = folder / "camera.yaml";
+  if (fs::exists(file) && read_all(file) != text)
+    throw OutputError(file.string() + ": the folder holds scenes of another camera; choose another --output");
+  write_files({{file, text}});
+}
+
+void merge_categories(const fs::path& file, const std::map<std::string, std::string>& category_of_scene) {
+  static const std::string header = "scene,category";
+  std::map<std::string, std::string> rows;
+  if (fs::exists(file)) {
+    std::istringstream in(read_all(file));
+    std::string line;
+    for (int number = 1; std::getline(in, line); ++number) {
+      if (!line.empty() && line.back() == '\r') line.pop_back();
+      const auto fail = [&](const std::string& why) {
+        throw InputError(file.string() + ":" + std::to_string(number) + ": " + why +
+                         "; correct the file or choose another --output");
+      };
+      if (number == 1) {
+        if (line != header)
+          fail(std::string("expected the header '").append(header).append("', found '").append(line).append("'"));
+      } else if (!line.empty()) {
+        const std::size_t comma = line.find(',');
+        if (comma == std::string::npos || comma == 0) fail("expected 'scene,category', found '" + line + "'");
+        rows[line.substr(0, comma)] = line.substr(comma + 1);
+      }
+    }
+  }
+  for (const auto& [scene, category] : category_of_scene) rows[scene] = category;
+  std::string text = header + '\n';
+  for (const auto& [scene, category] : rows) text.append(scene).append(",").append(category).append("\n");
+  write_files({{file, text}});
+}
+
+}  // namespace gestalt

@@ -1,0 +1,57 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <cstdint>
+#include <filesystem>
+#include <opencv2/core.hpp>
+#include <string>
+#include <string_view>
+#include <vector>
+
+#include "gestalt/core/scene/frame.h"
+
+namespace gestalt {
+
+/// What lies on the table, named as the categories of the paper's data set.
+enum class Category {
+  boxes,              ///< 1-4 boxes standing apart
+  stacked_boxes,      ///< 2-5 boxes, at least two of them on top of each other
+  occluded_objects,   ///< a long object cut into two visible parts by one in front of it, and up to 2 more
+  cylindric_objects,  ///< 2-6 cans, mugs, bowls and bottles
+  mixed_objects,      ///< 5-9 things of every kind, some stacked, some side by side
+  complex_scene,      ///< 15-20 things in a heap
+};
+
+/// In the order of the enumeration.
+const std::vector<std::string>& category_names();
+
+const std::string& name_of(Category category);
+
+/// Throws ConfigError with the nearest name for an unknown one.
+Category category_of(std::string_view name);
+
+/// A Kinect's view of a table with its ground truth.
+struct SyntheticScene {
+  Frame frame;                           ///< depth is whole millimetres; frame.name is <category>_<seed>_<index>
+  cv::Mat_<std::uint16_t> ground_truth;  ///< 0 = no depth; 1-9 = disjoint parts of the table; 20-29 = disjoint visible
+                                         ///< parts of the first object, largest first, 30-39 of the second, ...
+  std::string category;
+};
+
+/// The intrinsics of a Kinect (f = 525 px at a width of 640), scaled to the width.
+Camera kinect_camera(int width = 640, int height = 480);
+
+/// Lays out, renders and measures one scene. Equal arguments give equal images. Every object shows at least
+/// smallest_object() pixels with depth. Throws InputError for a camera that sees less than 50 x 40 degrees, or in whose
+/// view the objects could not be placed.
+SyntheticScene synthesize(Category category, std::uint64_t seed, int index, const Camera& camera = kinect_camera());
+
+/// Fewest pixels of an object: 300 for a Kinect, in proportion to fx fy otherwise, at least 1.
+int smallest_object(const Camera& camera);
+
+/// Writes rgb.png, depth.png (millimetres) and label.png into folder/<name of the scene>/.
+/// Throws OutputError.
+void write_scene(const SyntheticScene& scene, const std::filesystem::path& folder);
+
+}  // namespace gestalt

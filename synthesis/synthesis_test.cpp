@@ -1,0 +1,180 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gestalt/synthesis/synthesis.h"
+#include "gestalt/io/scene/scene_folder.h"
+
+#include <gtest/gtest.h>
+
+#include <algorithm>
+#include <fstream>
+#include <map>
+#include <opencv2/imgcodecs.hpp>
+#include <sstream>
+
+#include "gestalt/core/base/error.h"
+
+namespace gestalt {
+namespace {
+
+namespace fs = std::filesystem;
+
+/// A folder of its own for each test, gone afterwards.
+class Written : public testing::Test {
+ protected:
+  void SetUp() override {
+    const auto* test = testing::UnitTest::GetInstance()->current_test_info();
+    folder_ = fs::path(testing::TempDir()) / ("gestalt_synthesis_" + std::string(test->name()));
+    fs::remove_all(folder_);
+    fs::create_directories(folder_);
+  }
+  void TearDown() override { fs::remove_all(folder_); }
+  static std::string text_of(const fs::path& file) {
+    std::ostringstream text;
+    text << std::ifstream(file).rdbuf();
+    return text.str();
+  }
+  fs::path folder_;
+};
+
+bool equal(const cv::Mat& a, const cv::Mat& b) {
+  return a.size() == b.size() && a.type() == b.type() && cv::norm(a.reshape(1), b.reshape(1), cv::NORM_INF) == 0;
+}
+
+/// Pixels of each object of a scene.
+std::map<int, int> objects_of(const SyntheticScene& scene) {
+  std::map<int, int> pixels;
+  for (const int label : scene.ground_truth)
+    if (label >= 10) ++pixels[label / 10];
+  return pixels;
+}
+
+class EveryCategory : public testing::TestWithParam<std::string> {};
+
+TEST_P(EveryCategory, HasItsNumberOfVisibleObjects) {
+  static const std::map<std::string, std::pair<int, int>> counts{{"boxes", {1, 4}},
+                                                                 {"stacked_boxes", {2, 5}},
+                                                                 {"occluded_objects", {2, 4}},
+                                                                 {"cylindric_objects", {2, 6}},
+                                                                 {"mixed_objects", {5, 9}},
+                                                                 {"complex_scene", {15, 20}}};
+  const auto [fewest, most] = counts.at(GetParam());
+  for (int index = 0; index < 3; ++index) {
+    const auto objects = objects_of(synthesize(category_of(GetParam()), 5, index));
+    EXPECT_GE(int(objects.size()), fewest) << index;
+    EXPECT_LE(int(objects.size()), most) << index;
+    int number = 2;
+    for (const auto& [object, pixels] : objects) {
+      EXPECT_EQ(object, number++) << index;
+      EXPECT_GE(pixels, 300) << index;
+    }
+  }
+}
+
+TEST_P(EveryCategory, HasALabelWhereverThereIsDepth) {
+  const SyntheticScene scene = synthesize(category_of(GetParam()), 6, 0, kinect_camera(320, 240));
+  EXPECT_EQ(scene.category, GetParam());
+  EXPECT_EQ(scene.frame.name, GetParam() + "_6_000");
+  EXPECT_EQ(scene.frame.colour.size(), cv::Size(320, 240));
+  EXPECT_TRUE(equal(scene.frame.depth > 0, scene.ground_truth > 0));
+  EXPECT_GT(cv::countNonZero(scene.ground_truth == 1), 320 * 240 / 10);
+}
+
+TEST_P(EveryCategory, GivesTheSameSceneAgainAndOthersForOtherSeeds) {
+  const Camera camera = kinect_camera(160, 120);
+  const Category category = category_of(GetParam());
+  const SyntheticScene scene = synthesize(category, 1, 0, camera), again = synthesize(category, 1, 0, camera);
+  EXPECT_TRUE(equal(scene.frame.colour, again.frame.colour));
+  EXPECT_TRUE(equal(scene.frame.depth, again.frame.depth));
+  EXPECT_TRUE(equal(scene.ground_truth, again.ground_truth));
+  EXPECT_FALSE(equal(scene.frame.depth, synthesize(category, 2, 0, camera).frame.depth));
+  EXPECT_FALSE(equal(scene.frame.depth, synthesize(category, 1, 1, camera).frame.depth));
+}
+
+INSTANTIATE_TEST_SUITE_P(Synthesis, EveryCategory, testing::ValuesIn(category_names()),
+                         [](const auto& category) { return category.param; });
+
+TEST(Synthesis, OccludedObjectsAreCutInTwo) {
+  for (int index = 0; index < 4; ++index) {
+    const SyntheticScene scene = synthesize(Category::occluded_objects, 9, index);
+    EXPECT_GE(cv::countNonZero(scene.ground_truth == 20), 100) << index;
+    EXPECT_GE(cv::countNonZero(scene.ground_truth == 21), 30) << index;
+  }
+}
+
+TEST(Synthesis, StackedBoxesTouch) {
+  // The box on top, label 30, meets the one below without a gap of table: some pixel of it has 20 within 5 rows below.
+  const SyntheticScene scene = synthesize(Category::stacked_boxes, 4, 0);
+  bool touch = false;
+  for (int v = 0; v + 5 < 480; ++v)
+    for (int u = 0; u < 640; ++u)
+      if (scene.ground_truth(v, u) / 10 == 3)
+        for (int below = 1; below <= 5; ++below) touch |= scene.ground_truth(v + below, u) / 10 == 2;
+  EXPECT_TRUE(touch);
+}
+
+TEST(Synthesis, NarrowViewIsRefused) {
+  Camera camera = kinect_camera(64, 48);
+  camera.fx = camera.fy = 80;
+  EXPECT_THROW(synthesize(Category::mixed_objects, 1, 0, camera), InputError);
+}
+
+TEST(Synthesis, UnknownCategorySuggestsTheNearest) {
+  EXPECT_EQ(category_of("complex_scene"), Category::complex_scene);
+  EXPECT_EQ(name_of(Category::boxes), "boxes");
+  try {
+    category_of("mixed_object");
+    FAIL() << "accepted";
+  } catch (const ConfigError& error) {
+    EXPECT_NE(std::string(error.what()).find("did you mean 'mixed_objects'"), std::string::npos) << error.what();
+  }
+}
+
+TEST(Synthesis, CameraIsAKinectOfAnyWidth) {
+  EXPECT_EQ(kinect_camera().fx, 525);
+  EXPECT_EQ(kinect_camera().cx, 319.5);
+  EXPECT_EQ(kinect_camera(320, 240).fy, 262.5);
+  EXPECT_EQ(smallest_object(kinect_camera()), 300);
+  EXPECT_EQ(smallest_object(kinect_camera(320, 240)), 75);
+  EXPECT_EQ(smallest_object(kinect_camera(4, 3)), 1);
+}
+
+TEST_F(Written, SceneReadsBackAsItWas) {
+  const SyntheticScene scene = synthesize(Category::boxes, 1, 0, kinect_camera(160, 120));
+  write_scene(scene, folder_);
+  const fs::path place = folder_ / "boxes_1_000";
+  EXPECT_TRUE(equal(cv::imread((place / "rgb.png").string()), scene.frame.colour));
+  EXPECT_TRUE(equal(cv::imread((place / "label.png").string(), cv::IMREAD_UNCHANGED), scene.ground_truth));
+  const cv::Mat millimetres = cv::imread((place / "depth.png").string(), cv::IMREAD_UNCHANGED);
+  ASSERT_EQ(millimetres.type(), CV_16UC1);
+  cv::Mat metres;
+  millimetres.convertTo(metres, CV_32F, 0.001);
+  EXPECT_LT(cv::norm(metres, scene.frame.depth, cv::NORM_INF), 1e-6);
+}
+
+TEST_F(Written, CameraIsWrittenOnceAndNotMixed) {
+  write_camera(kinect_camera(), folder_);
+  write_camera(kinect_camera(), folder_);
+  EXPECT_NE(text_of(folder_ / "camera.yaml").find("width: 640\nheight: 480\nfx: 525\nfy: 525\ncx: 319.5\ncy: 239.5\n"),
+            std::string::npos);
+  EXPECT_THROW(write_camera(kinect_camera(320, 240), folder_), OutputError);
+}
+
+TEST_F(Written, CategoriesOfOtherScenesAreKept) {
+  const fs::path file = folder_ / "scenes.csv";
+  merge_categories(file, {{"b", "boxes"}, {"c", "boxes"}});
+  merge_categories(file, {{"a", "complex_scene"}, {"c", "mixed_objects"}});
+  EXPECT_EQ(text_of(file), "scene,category\na,complex_scene\nb,boxes\nc,mixed_objects\n");
+}
+
+TEST_F(Written, TableOfAnotherKindIsRefusedAndKept) {
+  const fs::path file = folder_ / "scenes.csv";
+  for (const std::string text : {"name;kind\n", "scene,category\nno comma\n", "scene,category\n,boxes\n"}) {
+    std::ofstream(file) << text;
+    EXPECT_THROW(merge_categories(file, {{"a", "boxes"}}), InputError) << text;
+    EXPECT_EQ(text_of(file), text);
+  }
+}
+
+}  // namespace
+}  // namespace gestalt
