@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include "gestalt/core/plugin/registry.h"
+#include "gestalt/core/plugin/manifest.h"
 
 #include <gtest/gtest.h>
 
@@ -115,7 +116,7 @@ TEST(Registry, TakesNoComponentOfAPluginsNameFromTheProgram) {
 TEST(Registry, RejectsAnOldInterface) {
   const std::string reason = rejection("old_interface");
   expect_in("interface 0", reason);
-  expect_in("this core has 4", reason);
+  expect_in("this core has " + std::to_string(GESTALT_INTERFACE_VERSION), reason);
 }
 
 TEST(Registry, RejectsAnotherBuildAndTellsBoth) {

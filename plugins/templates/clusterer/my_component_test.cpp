@@ -1,7 +1,7 @@
 #include "my_component.h"
 
 #include <gtest/gtest.h>
-#include <test_scenes.h>
+#include <gestalt/tests/scenes/test_scenes.h>
 
 namespace {
 
