@@ -25,19 +25,17 @@ void add_pipeline_options(CLI::App& command, PipelineOptions& options, const std
 }
 
 LoadedConfig load_config(const PipelineOptions& options) {
-  ConfigTree tree(options.config.empty() ? default_config() : options.config, options.overrides);
-  Registry registry(plugin_search_path(tree.plugin_directories()));
-  Config config = tree.resolve(registry);
-  return {std::move(tree), std::move(registry), std::move(config)};
+  return LoadedConfig(ConfigTree(options.config.empty() ? default_config() : options.config, options.overrides));
 }
 
-Models load_models(const Pipeline& pipeline) {
-  Models models = pipeline.load_models();
-  if (pipeline.trained_otherwise(models))
-    std::cerr << "gestalt: warning: " << pipeline.config().model.string()
-              << " was trained with other parameters of the levels below the classifier; retrain it for this config\n";
-  return models;
+Segmenter load_segmenter(LoadedConfig loaded) {
+  Segmenter segmenter(std::move(loaded));
+  if (const std::string warning = segmenter.warning(); !warning.empty())
+    std::cerr << "gestalt: warning: " << warning << '\n';
+  return segmenter;
 }
+
+Segmenter load_segmenter(const PipelineOptions& options) { return load_segmenter(load_config(options)); }
 
 ThreadLimit::ThreadLimit(int threads) : opencv_threads_(cv::getNumThreads()) {
   if (threads == 0) return;

@@ -11,9 +11,7 @@
 #include <string>
 #include <vector>
 
-#include "gestalt/core/config/config.h"
-#include "gestalt/core/pipeline/pipeline.h"
-#include "gestalt/core/plugin/registry.h"
+#include "gestalt/core/pipeline/segmenter.h"
 
 namespace gestalt::app {
 
@@ -28,18 +26,12 @@ struct PipelineOptions {
 void add_pipeline_options(CLI::App& command, PipelineOptions& options,
                           const std::string& default_name = "default.yaml");
 
-/// The config as the options ask for it, with its plugins.
-struct LoadedConfig {
-  ConfigTree tree;
-  Registry registry;
-  Config config;
-};
-
+/// The config that the options ask for.
 LoadedConfig load_config(const PipelineOptions& options);
 
-/// The pipeline's models. Warns on stderr when one was trained with other parameters of the levels below the
-/// classifier.
-Models load_models(const Pipeline& pipeline);
+/// The segmenter of a config; prints its warning on stderr.
+Segmenter load_segmenter(LoadedConfig loaded);
+Segmenter load_segmenter(const PipelineOptions& options);
 
 /// Bounds the threads of oneTBB and OpenCV while it lives. 0: no bound.
 class ThreadLimit {

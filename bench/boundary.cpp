@@ -15,6 +15,7 @@
 #include "committee.h"
 #include "common_height.h"
 #include "common_surface.h"
+#include "configs.h"
 #include "fourier.h"
 #include "frames.h"
 #include "gabor.h"
@@ -29,7 +30,6 @@
 #include "options.h"
 #include "plane.h"
 #include "relative_size.h"
-#include "segmenter.h"
 #include "svm.h"
 #include "texture_quantity.h"
 #include "times.h"
@@ -84,12 +84,12 @@ int main(int argc, char** argv) try {
 
   const ThreadLimit limit(1);
   const Segmenter plugins(default_config());
-  const Segmenter direct(default_config(), linked());
+  const Segmenter direct(LoadedConfig(ConfigTree(default_config(), {}), linked()));
   const std::vector<Frame> frames = Frames(options.scenes, options.synthetic).all();
   std::vector<double> with_plugins, with_links, ratios;
   for (int repeat = 0; repeat <= options.repeats; ++repeat)
     for (const Frame& frame : frames) {
-      const double crossed = plugins(frame).total(), called = direct(frame).total();
+      const double crossed = plugins.segment(frame).times.total(), called = direct.segment(frame).times.total();
       if (repeat == 0) continue;  // to warm up
       with_plugins.push_back(crossed);
       with_links.push_back(called);

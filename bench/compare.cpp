@@ -9,13 +9,13 @@
 #include <iostream>
 #include <limits>
 
+#include "configs.h"
 #include "frames.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/output_file.h"
 #include "gestalt/io/scene/png_codec.h"
 #include "options.h"
 #include "pcl_segmentation.h"
-#include "segmenter.h"
 #include "times.h"
 
 namespace {
@@ -31,8 +31,8 @@ struct Contestant {
 std::vector<Contestant> contestants() {
   std::vector<Contestant> all;
   for (const std::string& config : measured_configs()) {
-    const auto segment = std::make_shared<const Segmenter>(bundled_config(config));
-    all.push_back({config, [segment](const auto& frame, const auto&) { (*segment)(frame); }});
+    const auto segmenter = std::make_shared<const gestalt::Segmenter>(bundled_config(config));
+    all.push_back({config, [segmenter](const auto& frame, const auto&) { segmenter->segment(frame); }});
   }
   all.push_back({"pcl_normals", [](const auto&, const auto& cloud) { estimate_normals(cloud); }});
   all.push_back({"pcl_planes", [](const auto&, const auto& cloud) { segment_planes(cloud, estimate_normals(cloud)); }});

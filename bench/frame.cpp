@@ -9,9 +9,9 @@
 #include <iostream>
 
 #include "allocations.h"
+#include "configs.h"
 #include "frames.h"
 #include "options.h"
-#include "segmenter.h"
 #include "times.h"
 
 namespace {
@@ -42,13 +42,13 @@ struct Runs {
   }
 };
 
-Runs run(const Segmenter& segment, const Frames& frames, int repeats) {
+Runs run(const gestalt::Segmenter& segmenter, const Frames& frames, int repeats) {
   Runs runs;
   for (std::size_t i = 0; i < frames.size(); ++i) {
     const gestalt::Frame frame = frames[i];
     for (int repeat = 0; repeat < repeats; ++repeat) {
       const Allocations before = allocations();
-      const LevelTimes times = segment(frame);
+      const LevelTimes times = segmenter.segment(frame).times;
       runs.add(times, before, allocations());
     }
   }
@@ -67,9 +67,9 @@ int main(int argc, char** argv) try {
   CLI11_PARSE(app, argc, argv);
 
   const ThreadLimit limit(options.threads);
-  const Segmenter segment(options.config);
+  const gestalt::Segmenter segmenter(options.config);
   const Frames frames(options.scenes, options.synthetic);
-  const Runs runs = run(segment, frames, options.repeats);
+  const Runs runs = run(segmenter, frames, options.repeats);
   const nlohmann::ordered_json report = {{"config", options.config.filename().string()},
                                          {"frames", frames.size()},
                                          {"repeats", options.repeats},

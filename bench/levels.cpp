@@ -9,8 +9,8 @@
 
 #include <iostream>
 
+#include "configs.h"
 #include "gestalt/synthesis/synthesis.h"
-#include "segmenter.h"
 
 namespace {
 
@@ -22,9 +22,9 @@ class Levels {
   Levels(const std::string& config, const Frame& frame)
       : segmenter_(bench::bundled_config(config)),
         frame_(frame),
-        percept_(segmenter_.pipeline.perceive(frame)),
-        graph_(segmenter_.pipeline.decide(percept_, segmenter_.models).graph) {
-    frame_.noise = segmenter_.pipeline.noise();
+        percept_(segmenter_.pipeline().perceive(frame)),
+        graph_(segmenter_.pipeline().decide(percept_, segmenter_.models()).graph) {
+    frame_.noise = segmenter_.pipeline().noise();
   }
 
   bool with_assembly() const { return config().with_assembly; }
@@ -36,17 +36,17 @@ class Levels {
 
   /// By the pipeline's own clock.
   void primitive(benchmark::State& state) const {
-    for (auto _ : state) state.SetIterationTime(segmenter_.pipeline.perceive(frame_).times.primitive / 1000);
+    for (auto _ : state) state.SetIterationTime(segmenter_.pipeline().perceive(frame_).times.primitive / 1000);
   }
 
   void structural(benchmark::State& state) const {
     const double size = config().structural.minimum_size * percept_.pixel_density;
-    group(state, config().structural, segmenter_.models.structural, neighbour_pairs(percept_.surfaces, size));
+    group(state, config().structural, segmenter_.models().structural, neighbour_pairs(percept_.surfaces(), size));
   }
 
   void assembly(benchmark::State& state) const {
     const double size = config().assembly->minimum_size * percept_.pixel_density;
-    group(state, *config().assembly, *segmenter_.models.assembly, non_neighbour_pairs(percept_.surfaces, size));
+    group(state, *config().assembly, *segmenter_.models().assembly, non_neighbour_pairs(percept_.surfaces(), size));
   }
 
   void decision(benchmark::State& state) const {
@@ -55,11 +55,11 @@ class Levels {
   }
 
  private:
-  const Config& config() const { return segmenter_.pipeline.config(); }
+  const Config& config() const { return segmenter_.pipeline().config(); }
 
   template <class Kind>
   std::shared_ptr<const Kind> create(const ComponentConfig& component) const {
-    return segmenter_.registry.create<Kind>(component.plugin, component.params);
+    return segmenter_.registry().create<Kind>(component.plugin, component.params);
   }
 
   /// Relations and classification of the pairs; items are pairs.
@@ -69,14 +69,16 @@ class Levels {
     for (const ComponentConfig& component : level.relations)
       relations.push_back({component.name, create<Relation>(component), component.plugin, component.values});
     for (auto _ : state) {
-      const Scene scene(frame_, percept_.patches, percept_.surfaces);
+      state.PauseTiming();
+      const Scene scene(frame_, percept_.patches(), percept_.surfaces());
+      state.ResumeTiming();
       const RelationTable table = relate(pairs, relations, Measures(scene, relations));
       for (std::size_t i = 0; i < table.pairs.size(); ++i) benchmark::DoNotOptimize(model.probability(table.row(i)));
     }
     state.SetItemsProcessed(state.iterations() * std::int64_t(pairs.size()));
   }
 
-  bench::Segmenter segmenter_;
+  Segmenter segmenter_;
   Frame frame_;
   Percept percept_;
   Graph graph_;

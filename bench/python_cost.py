@@ -24,12 +24,12 @@ ROOT = pathlib.Path(__file__).resolve().parent.parent
 
 def call_cost(scene, calls):
     """Milliseconds of each call beside the core's levels, after one to warm up."""
-    pipeline = gestalt.Pipeline()
+    segmenter = gestalt.Segmenter()
     depth = (scene.depth * 1000).round().astype("uint16")
     costs = []
     for _ in range(calls + 1):
         begin = time.perf_counter()
-        result = pipeline(scene.colour, depth, scene.camera)
+        result = segmenter(scene.colour, depth, scene.camera)
         total = 1000 * (time.perf_counter() - begin)
         costs.append(total - sum(result.milliseconds.values()))
     return costs[1:]

@@ -9,39 +9,38 @@
 
 #include <iostream>
 
+#include "configs.h"
 #include "gestalt/synthesis/synthesis.h"
-#include "segmenter.h"
 
 namespace {
 
 using namespace gestalt;
 
 struct Surfaces {
-  Frame frame;
   Percept percept;
   std::vector<SurfacePair> neighbours;
   std::vector<SurfacePair> all_pairs;
 };
 
 Surfaces perceive(const Pipeline& pipeline) {
-  Surfaces result{synthesize(Category::complex_scene, 1, 0).frame, {}, {}, {}};
-  result.percept = pipeline.perceive(result.frame);
-  result.frame.noise = pipeline.noise();
-  result.neighbours = neighbour_pairs(result.percept.surfaces, 0);
-  result.all_pairs = non_neighbour_pairs(result.percept.surfaces, 0);
+  Surfaces result{pipeline.perceive(synthesize(Category::complex_scene, 1, 0).frame), {}, {}};
+  result.neighbours = neighbour_pairs(result.percept.surfaces(), 0);
+  result.all_pairs = non_neighbour_pairs(result.percept.surfaces(), 0);
   result.all_pairs.insert(result.all_pairs.end(), result.neighbours.begin(), result.neighbours.end());
   return result;
 }
 
 void bind(benchmark::State& state, const Relation& relation, const Surfaces& surfaces) {
   for (auto _ : state) {
-    const Scene scene(surfaces.frame, surfaces.percept.patches, surfaces.percept.surfaces);
+    state.PauseTiming();
+    const Scene scene(surfaces.percept.frame(), surfaces.percept.patches(), surfaces.percept.surfaces());
+    state.ResumeTiming();
     benchmark::DoNotOptimize(relation.bind(scene));
   }
 }
 
 void measure_pairs(benchmark::State& state, const Relation& relation, const Surfaces& surfaces) {
-  const Scene scene(surfaces.frame, surfaces.percept.patches, surfaces.percept.surfaces);
+  const Scene& scene = *surfaces.percept.scene;
   const std::unique_ptr<Measure> measure = relation.bind(scene);
   const std::vector<SurfacePair>& pairs = relation.needs_border() ? surfaces.neighbours : surfaces.all_pairs;
   std::vector<double> values(relation.values().size());
@@ -58,10 +57,10 @@ void measure_pairs(benchmark::State& state, const Relation& relation, const Surf
 int main(int argc, char** argv) try {
   benchmark::Initialize(&argc, argv);
   if (benchmark::ReportUnrecognizedArguments(argc, argv)) return 2;
-  const bench::Segmenter segmenter;
-  const Surfaces surfaces = perceive(segmenter.pipeline);
-  for (const std::string& name : segmenter.registry.names("relation")) {
-    const auto relation = segmenter.registry.create<Relation>(name, {});
+  const Segmenter segmenter;
+  const Surfaces surfaces = perceive(segmenter.pipeline());
+  for (const std::string& name : segmenter.registry().names("relation")) {
+    const auto relation = segmenter.registry().create<Relation>(name, {});
     benchmark::RegisterBenchmark((name + "/bind").c_str(),
                                  [relation, &surfaces](auto& state) { bind(state, *relation, surfaces); })
         ->Unit(benchmark::kMicrosecond)

@@ -9,10 +9,10 @@
 #include <iomanip>
 #include <iostream>
 
+#include "configs.h"
 #include "facets.h"
 #include "gestalt/synthesis/synthesis.h"
 #include "options.h"
-#include "segmenter.h"
 #include "times.h"
 
 namespace {
@@ -36,12 +36,12 @@ struct Measured {
   }
 };
 
-void run(Measured& one, const Segmenter& segment) {
-  const gestalt::Percept percept = segment.pipeline.perceive(one.frame);
+void run(Measured& one, const gestalt::Segmenter& segmenter) {
+  const gestalt::Percept percept = segmenter.pipeline().perceive(one.frame);
   one.runs.push_back(percept.times);
-  segment.pipeline.decide(percept, segment.models, &one.runs.back());
-  const double smallest = segment.pipeline.config().structural.minimum_size * percept.pixel_density;
-  const auto& surfaces = percept.surfaces.surfaces;
+  segmenter.pipeline().decide(percept, segmenter.models(), &one.runs.back());
+  const double smallest = segmenter.config().structural.minimum_size * percept.pixel_density;
+  const auto& surfaces = percept.surfaces().surfaces;
   one.patches = std::size_t(std::count_if(surfaces.begin(), surfaces.end(), [&](const gestalt::Surface& surface) {
     return double(surface.pixels.size()) >= smallest;
   }));
@@ -49,9 +49,9 @@ void run(Measured& one, const Segmenter& segment) {
 }
 
 /// Runs the frames in turn, so that whatever else the machine does meets all of them alike.
-void run(std::vector<Measured>& all, const Segmenter& segment, int repeats) {
+void run(std::vector<Measured>& all, const gestalt::Segmenter& segmenter, int repeats) {
   for (int repeat = 0; repeat < repeats; ++repeat)
-    for (Measured& one : all) run(one, segment);
+    for (Measured& one : all) run(one, segmenter);
 }
 
 std::vector<Measured> resolutions(bool quick) {
@@ -107,10 +107,10 @@ int main(int argc, char** argv) try {
   CLI11_PARSE(app, argc, argv);
 
   const ThreadLimit limit(options.threads);
-  const Segmenter segment(options.config);
+  const gestalt::Segmenter segmenter(options.config);
   std::vector<Measured> by_pixels = resolutions(options.quick), by_patches = patch_counts(options.quick);
-  run(by_pixels, segment, options.repeats);
-  run(by_patches, segment, options.repeats);
+  run(by_pixels, segmenter, options.repeats);
+  run(by_patches, segmenter, options.repeats);
 
   constexpr std::size_t vga = 1, fewest = 0;
   const ordered_json report = {

@@ -14,8 +14,8 @@
 #include <memory>
 #include <system_error>
 
+#include "configs.h"
 #include "options.h"
-#include "segmenter.h"
 #include "times.h"
 
 namespace {
@@ -48,7 +48,7 @@ double load(const std::filesystem::path& config) {
   if (pipe(ends.data()) != 0) throw std::system_error(errno, std::generic_category(), "cannot make a pipe");
   double time = 0;
   in_child([&] {
-    const double spent = milliseconds([&] { const Segmenter segmenter(config); });
+    const double spent = milliseconds([&] { const gestalt::Segmenter segmenter(config); });
     if (write(ends[1], &spent, sizeof spent) != sizeof spent) throw std::runtime_error("cannot write to a pipe");
   });
   const bool complete = read(ends[0], &time, sizeof time) == sizeof time;

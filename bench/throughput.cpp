@@ -5,20 +5,20 @@
 
 #include <iostream>
 
+#include "configs.h"
 #include "frames.h"
 #include "gestalt/core/base/for_all.h"
 #include "options.h"
-#include "segmenter.h"
 #include "times.h"
 
 namespace {
 
 using namespace gestalt::bench;
 
-double frames_per_second(const Segmenter& segment, const std::vector<gestalt::Frame>& frames, int threads) {
+double frames_per_second(const gestalt::Segmenter& segmenter, const std::vector<gestalt::Frame>& frames, int threads) {
   const ThreadLimit limit(threads);
   const double time =
-      milliseconds([&] { gestalt::for_all(frames.size(), [&](std::size_t i) { segment(frames[i]); }); });
+      milliseconds([&] { gestalt::for_all(frames.size(), [&](std::size_t i) { segmenter.segment(frames[i]); }); });
   return 1000 * double(frames.size()) / time;
 }
 
@@ -33,12 +33,12 @@ int main(int argc, char** argv) try {
   add_measuring(app, options);
   CLI11_PARSE(app, argc, argv);
 
-  const Segmenter segment(options.config);
+  const gestalt::Segmenter segmenter(options.config);
   const std::vector<gestalt::Frame> frames = Frames(options.scenes, options.synthetic).all();
   std::vector<double> one, several;
   for (int repeat = 0; repeat < options.repeats; ++repeat) {  // in turn: the machine's other work meets both alike
-    one.push_back(frames_per_second(segment, frames, 1));
-    several.push_back(frames_per_second(segment, frames, options.threads));
+    one.push_back(frames_per_second(segmenter, frames, 1));
+    several.push_back(frames_per_second(segmenter, frames, options.threads));
   }
   const nlohmann::ordered_json report = {
       {"config", options.config.filename().string()},

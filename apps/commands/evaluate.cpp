@@ -158,14 +158,12 @@ std::string config_name(const Options& options) {
 }
 
 int score_model(const Options& options) {
-  const LoadedConfig loaded = load_config(options.pipeline);
-  const Pipeline pipeline(loaded.config, loaded.registry);
-  const Models models = load_models(pipeline);
+  const Segmenter segmenter = load_segmenter(options.pipeline);
   Evaluation evaluation(options);
   evaluation.for_each_scene([&](std::size_t i) {
     const Input input = read_scene(evaluation.scenes[i]);
     const Labels ground_truth = scored_ground_truth(input);
-    evaluation.score(i, ground_truth, pipeline.decide(pipeline.perceive(input.frame), models));
+    evaluation.score(i, ground_truth, segmenter.segment(input.frame).segmentation);
   });
   return evaluation.report(config_name(options));
 }

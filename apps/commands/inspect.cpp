@@ -83,18 +83,15 @@ LoadedConfig load_config_of(const Result& result, const PipelineOptions& options
   values.erase("plugin_directories");
   ConfigTree tree = ConfigTree::from_text(
       result.file.string() + ": config", values.dump(1, ' ', false, json::error_handler_t::replace), options.overrides);
-  Registry registry(plugin_search_path(tree.plugin_directories()));
-  Config resolved = tree.resolve(registry);
-  return {std::move(tree), std::move(registry), std::move(resolved)};
+  return LoadedConfig(std::move(tree));
 }
 
 json inspect_result(const Result& result, const Options& options) {
   std::optional<CameraFile> camera;
   if (!options.camera.empty()) camera = read_camera(options.camera);
-  const LoadedConfig loaded = load_config_of(result, options.pipeline);
-  const Models models = load_models(Pipeline(loaded.config, loaded.registry));
+  const Segmenter segmenter = load_segmenter(load_config_of(result, options.pipeline));
   const Input input = read_scene(scene_of(result, options), camera);
-  json scene = inspect_scene(result.content, input, loaded.config, loaded.registry, models);
+  json scene = inspect_scene(result.content, input, segmenter);
   for (const json& note : scene.at("notes"))
     std::cerr << "gestalt: warning: " << result.file.string() << ": " << note.get<std::string>() << '\n';
   return scene;

@@ -11,7 +11,7 @@
 
 #include "command.h"
 #include "gestalt/apps/scene_batch.h"
-#include "gestalt/apps/segmenter.h"
+#include "gestalt/apps/scene_segmenter.h"
 #include "gestalt/apps/viewer.h"
 
 namespace gestalt::app {
@@ -34,7 +34,7 @@ int segment(const Options& options) {
   }
   const ThreadLimit limit(options.segmenter.pipeline.threads);
   const std::vector<std::filesystem::path> scenes = find_scenes(options.inputs);
-  const Segmenter segmenter(with_clouds);
+  const SceneSegmenter segmenter(with_clouds);
   std::mutex mutex;
   std::map<std::filesystem::path, std::filesystem::path> written;  // by scene
   const int code = for_each_scene(scenes, [&](const std::filesystem::path& scene) {

@@ -12,7 +12,7 @@
 #include "command.h"
 #include "gestalt/apps/interruption.h"
 #include "gestalt/apps/scene_batch.h"
-#include "gestalt/apps/segmenter.h"
+#include "gestalt/apps/scene_segmenter.h"
 #include "gestalt/apps/stream/frame_queue.h"
 #include "gestalt/apps/stream/frame_source.h"
 
@@ -80,7 +80,7 @@ class Summary {
 };
 
 /// One frame at a time with all threads: several at once would all be later.
-void segment_all(FrameQueue& queue, const Segmenter& segmenter, Summary& summary) {
+void segment_all(FrameQueue& queue, const SceneSegmenter& segmenter, Summary& summary) {
   while (const auto frame = queue.take()) {
     const Clock::time_point taken = Clock::now();
     try {
@@ -105,7 +105,7 @@ void segment_all(FrameQueue& queue, const Segmenter& segmenter, Summary& summary
 int stream(const Options& options) {
   const ThreadLimit limit(options.segmenter.pipeline.threads);
   const std::unique_ptr<FrameSource> source = open_source(options.source, options.follow);
-  const Segmenter segmenter(options.segmenter);
+  const SceneSegmenter segmenter(options.segmenter);
   const Interruption interruption;
   FrameQueue queue(options.drop ? std::nullopt : std::optional(options.queue));
   auto feeding = std::async(std::launch::async, [&] {

@@ -12,7 +12,7 @@
 #include <thread>
 
 #include "gestalt/core/pipeline/learning_set.h"
-#include "gestalt/core/pipeline/pipeline.h"
+#include "gestalt/core/pipeline/segmenter.h"
 #include "gestalt/core/plugin/plugin.h"
 #include "gestalt/core/plugin/running_component.h"
 #include "gestalt/tests/scenes/test_scenes.h"
@@ -66,7 +66,8 @@ template <class Kind>
 std::string failure(const std::string& override, std::function<std::unique_ptr<Kind>()> make) {
   Registry registry(plugin_search_path({}));
   add<Kind>(registry, "given", std::move(make));
-  const Pipeline pipeline(ConfigTree(default_config(), {override}).resolve(registry), registry);
+  const LoadedConfig loaded(ConfigTree(default_config(), {override}), std::move(registry));
+  const Pipeline pipeline(loaded.config, loaded.registry);
   const auto known = test::ridge(true);
   try {
     const Percept percept = pipeline.perceive(known.frame);

@@ -51,10 +51,13 @@ Samples labelled_pairs(const RelationTable& table, const std::vector<int>& objec
 LearningScene make_learning_scene(const Pipeline& pipeline, const Frame& frame,
                                   const cv::Mat_<std::uint16_t>& ground_truth) {
   LearningScene scene{frame.name, pipeline.perceive(frame), {}};
-  scene.objects = surface_objects(scene.percept.surfaces, ground_truth);
-  // Most of a percept's memory, and nothing that a decision looks at.
-  scene.percept.patches = {};
-  scene.percept.surfaces.adjacencies.clear();
+  scene.objects = surface_objects(scene.percept.surfaces(), ground_truth);
+  // Without images, patches and borders: most of the memory, and nothing that a decision looks at.
+  SurfaceSet surfaces{scene.percept.surfaces().labels, scene.percept.surfaces().surfaces, {}};
+  Frame without_images;
+  without_images.name = frame.name;
+  without_images.camera = frame.camera;
+  scene.percept.scene = std::make_shared<const Scene>(std::move(without_images), PatchMap{}, std::move(surfaces));
   return scene;
 }
 
@@ -93,15 +96,11 @@ void append(Samples& samples, const Samples& more) {
   samples.positive.insert(samples.positive.end(), more.positive.begin(), more.positive.end());
 }
 
-const RelationTable& table_of(const Percept& percept, Level level) {
-  return level == Level::structural ? percept.structural : percept.assembly;
-}
-
 Model learn_level(const Pipeline& pipeline, Level level, const std::vector<const LearningScene*>& scenes,
                   const std::function<Samples(const LearningScene&)>& samples_of) {
   ExpectedModel expected = pipeline.expected_model(level);
   // The same, unless somebody took columns out to learn without them.
-  if (!scenes.empty()) expected.names = table_of(scenes.front()->percept, level).names;
+  if (!scenes.empty()) expected.names = scenes.front()->percept.table(level).names;
   const LevelConfig& config =
       level == Level::structural ? pipeline.config().structural : pipeline.config().assembly.value();
   Samples samples{expected.names.size(), {}, {}};

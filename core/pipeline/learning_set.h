@@ -30,7 +30,7 @@ GESTALT_EXPORT Samples labelled_pairs(const RelationTable& table, const std::vec
 /// What learning keeps of a scene with ground truth.
 struct LearningScene {
   std::string name;
-  Percept percept;
+  Percept percept;           ///< its scene without images, patches and borders
   std::vector<int> objects;  ///< of each surface
 };
 

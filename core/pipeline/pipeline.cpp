@@ -11,8 +11,8 @@
 
 #include "aside.h"
 #include "gestalt/core/base/error.h"
-#include "gestalt/core/config/sensor_params.h"
 #include "gestalt/core/base/isolated.h"
+#include "gestalt/core/config/sensor_params.h"
 #include "gestalt/core/plugin/component_call.h"
 #include "gestalt/core/plugin/contract.h"
 #include "gestalt/core/scene/images.h"
@@ -47,7 +47,7 @@ void add_edges(Graph& graph, const RelationTable& table, const std::vector<std::
   deadline.require(classifier);
   require_probabilities(classifier, p);
   for (std::size_t i = 0; i < rows.size(); ++i)
-    graph.edges.push_back({table.pairs[rows[i]].a, table.pairs[rows[i]].b, p[i], level});
+    graph.edges.push_back({table.pairs[rows[i]].a, table.pairs[rows[i]].b, p[i], level, rows[i]});
 }
 
 std::vector<int> cut(const Solver& solver, const std::string& plugin, const Graph& graph, const Deadline& deadline) {
@@ -172,56 +172,59 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
   Frame frame = given;  // shares the images
   frame.noise = noise_;
   frame.deadline = Deadline::within(config_.time_budget, 0);
-  const Images images(frame);
+  const auto images = std::make_shared<Images>(frame);
   Aside observations([&] {
     tbb::parallel_for_each(relations_, [&](const NamedRelation& named) {
       const ComponentName name = component_name("relation", named.name);
-      call_component(name, [&] { images.observation(*named.relation); });
+      call_component(name, [&] { images->observation(*named.relation); });
       frame.deadline.require(name);
     });
   });
   Percept percept;
+  PatchMap patches;
   {
     const Stopwatch watch(percept.times.signal);
     const ComponentName name = component_name("clusterer", config_.clusterer.plugin);
-    percept.patches = call_component(name, [&] { return clusterer_->cluster(frame); });
+    patches = call_component(name, [&] { return clusterer_->cluster(frame); });
     frame.deadline.require(name);
-    require_patches(name, percept.patches, frame);
+    require_patches(name, patches, frame);
   }
   {
     const Stopwatch watch(percept.times.primitive);
     const ComponentName name = name_of_fitters(config_.fitters);
-    percept.surfaces =
-        call_component(name, [&] { return model_surfaces(frame, percept.patches, fitters_, surface_modelling_); });
+    SurfaceSet surfaces =
+        call_component(name, [&] { return model_surfaces(frame, patches, fitters_, surface_modelling_); });
     frame.deadline.require(name);
+    percept.scene = std::make_shared<const Scene>(images, std::move(patches), std::move(surfaces));
   }
   {
     const Stopwatch watch(percept.times.decision);
-    percept.roles = find_roles(frame, percept.surfaces, figure_ground_);
+    percept.roles = find_roles(frame, percept.surfaces(), figure_ground_);
     frame.deadline.require("the separation of figure and ground");
   }
   percept.pixel_density = pixel_density(frame.camera);
   percept.separate = figure_ground_.separate;
   std::optional<Measures> measures;
-  const Scene scene(images, percept.patches, percept.surfaces);
   {
     const Stopwatch watch(percept.times.structural);
     observations.wait();
-    measures.emplace(scene, relations_);
-    percept.structural = relate(neighbour_pairs(percept.surfaces, structural_.minimum_size * percept.pixel_density),
+    measures.emplace(*percept.scene, relations_);
+    percept.structural = relate(neighbour_pairs(percept.surfaces(), structural_.minimum_size * percept.pixel_density),
                                 structural_.relations, *measures);
   }
   if (assembly_) {
     const Stopwatch watch(percept.times.assembly);
-    percept.assembly = relate(non_neighbour_pairs(percept.surfaces, assembly_->minimum_size * percept.pixel_density),
+    percept.assembly = relate(non_neighbour_pairs(percept.surfaces(), assembly_->minimum_size * percept.pixel_density),
                               assembly_->relations, *measures);
   }
+  measures.reset();
+  images->forget_observations();
   return percept;
 }
 
 Graph Pipeline::structural_graph(const Percept& percept, const Model& model, const Deadline& deadline) const {
   Graph graph;
-  for (const Surface& surface : percept.surfaces.surfaces) graph.sizes.push_back(int(surface.pixels.size()));
+  for (const Surface& surface : percept.surfaces().surfaces) graph.sizes.push_back(int(surface.pixels.size()));
   std::vector<std::size_t> rows;
   for (std::size_t i = 0; i < percept.structural.pairs.size(); ++i) {
     const auto [a, b] = percept.structural.pairs[i];
@@ -272,7 +275,7 @@ Segmentation Pipeline::decide(const Percept& percept, const Models& models, Leve
     const Stopwatch watch(spent.decision);
     groups = cut(*solver_, config_.solver.plugin, graph, deadline);
   }
-  return assemble(percept.surfaces, percept.roles, std::move(graph), groups);
+  return assemble(percept.surfaces(), percept.roles, std::move(graph), groups);
 }
 
 }  // namespace gestalt

@@ -4,6 +4,7 @@
 
 #include <memory>
 #include <optional>
+#include <span>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,7 @@
 #include "gestalt/core/pipeline/surface_modelling.h"
 #include "gestalt/core/scene/frame.h"
 #include "gestalt/core/scene/patch_map.h"
+#include "gestalt/core/scene/scene.h"
 #include "gestalt/core/scene/segmentation.h"
 #include "gestalt/core/scene/surface_set.h"
 
@@ -32,14 +34,21 @@ struct LevelTimes {
 
 /// Everything that is computed of a frame before a trained model is needed.
 struct Percept {
-  PatchMap patches;
-  SurfaceSet surfaces;
-  std::vector<Role> roles;   ///< of each surface
-  RelationTable structural;  ///< 3D neighbours
-  RelationTable assembly;    ///< all other pairs; empty without the assembly level
-  double pixel_density = 1;  ///< of the frame's camera: by what the levels' minimum sizes were multiplied
-  bool separate = true;      ///< FigureGroundParams::separate: pairs of an object and the background are not decided
+  std::shared_ptr<const Scene> scene;  ///< the frame, with the sensor's noise, and its patches and surfaces; never null
+  std::vector<Role> roles;             ///< of each surface
+  RelationTable structural;            ///< 3D neighbours
+  RelationTable assembly;              ///< all other pairs; empty without the assembly level
+  double pixel_density = 1;            ///< of the frame's camera: by what the levels' minimum sizes were multiplied
+  bool separate = true;  ///< FigureGroundParams::separate: pairs of an object and the background are not decided
   LevelTimes times;
+
+  const Frame& frame() const { return scene->frame(); }
+  const PatchMap& patches() const { return scene->patches(); }
+  const SurfaceSet& surfaces() const { return scene->surfaces(); }
+  const RelationTable& table(Level level) const { return level == Level::structural ? structural : assembly; }
+
+  /// The relation values of an edge of the graph that the percept was decided to.
+  std::span<const double> values(const Edge& edge) const { return table(edge.level).row(edge.row); }
 };
 
 /// The rows of the assembly table that the decision looks at: pairs of different structural groups. Where figure and
@@ -48,7 +57,7 @@ struct Percept {
 GESTALT_EXPORT std::vector<std::size_t> assembly_rows(const Percept& percept,
                                                       const std::vector<int>& structural_groups);
 
-/// The segmenter: the components of a config, ready to run. Immutable; every method may be called from many threads at
+/// The components of a config, ready to run. Immutable; every method may be called from many threads at
 /// once, and gives the same result for any number of threads.
 class GESTALT_EXPORT Pipeline {
  public:

@@ -59,34 +59,28 @@ std::vector<std::string> value_names(const std::vector<NamedRelation>& relations
   return names;
 }
 
-namespace {
-
-/// Whether each surface has at least minimum_size pixels.
-std::vector<bool> large_enough(const SurfaceSet& surfaces, double minimum_size) {
-  std::vector<bool> large;
-  for (const Surface& surface : surfaces.surfaces) large.push_back(double(surface.pixels.size()) >= minimum_size);
-  return large;
+bool large_enough(const SurfaceSet& surfaces, int surface, double minimum_size) {
+  return double(surfaces.surfaces[std::size_t(surface)].pixels.size()) >= minimum_size;
 }
 
-}  // namespace
-
 std::vector<SurfacePair> neighbour_pairs(const SurfaceSet& surfaces, double minimum_size) {
-  const std::vector<bool> large = large_enough(surfaces, minimum_size);
+  const auto large = [&](int surface) { return large_enough(surfaces, surface, minimum_size); };
   std::vector<SurfacePair> pairs;
   for (const Adjacency& adjacency : surfaces.adjacencies)
-    if (!adjacency.border_3d.empty() && large[std::size_t(adjacency.a)] && large[std::size_t(adjacency.b)])
+    if (!adjacency.border_3d.empty() && large(adjacency.a) && large(adjacency.b))
       pairs.push_back({adjacency.a, adjacency.b, &adjacency});
   return pairs;
 }
 
 std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, double minimum_size) {
-  const std::vector<bool> large = large_enough(surfaces, minimum_size);
+  const auto large = [&](int surface) { return large_enough(surfaces, surface, minimum_size); };
+  const int count = int(surfaces.surfaces.size());
   std::vector<SurfacePair> pairs;
   auto adjacency = surfaces.adjacencies.begin();
-  for (int a = 0; a < int(large.size()); ++a) {
-    if (!large[std::size_t(a)]) continue;
-    for (int b = a + 1; b < int(large.size()); ++b) {
-      if (!large[std::size_t(b)]) continue;
+  for (int a = 0; a < count; ++a) {
+    if (!large(a)) continue;
+    for (int b = a + 1; b < count; ++b) {
+      if (!large(b)) continue;
       while (adjacency != surfaces.adjacencies.end() && std::pair(adjacency->a, adjacency->b) < std::pair(a, b))
         ++adjacency;
       const bool touch = adjacency != surfaces.adjacencies.end() && adjacency->a == a && adjacency->b == b;

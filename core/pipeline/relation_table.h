@@ -39,6 +39,9 @@ GESTALT_EXPORT std::string value_name(const std::string& value, const std::strin
 /// The names of the values that a level has of the relations, in order. Throws ConfigError when two are the same.
 GESTALT_EXPORT std::vector<std::string> value_names(const std::vector<NamedRelation>& relations);
 
+/// Whether a surface has so many pixels: smaller ones have no relations.
+GESTALT_EXPORT bool large_enough(const SurfaceSet& surfaces, int surface, double minimum_size);
+
 /// Structural level: the pairs of 3D neighbours of which both have at least minimum_size pixels, sorted by (a, b).
 GESTALT_EXPORT std::vector<SurfacePair> neighbour_pairs(const SurfaceSet& surfaces, double minimum_size);
 

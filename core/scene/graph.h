@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <cstddef>
 #include <cstdint>
 #include <vector>
 
@@ -18,6 +19,7 @@ struct Edge {
   int b;
   double probability;  ///< in [0, 1]
   Level level;
+  std::size_t row = 0;  ///< in the level's relation table
 };
 
 /// Nodes are surfaces, edges are pairs with a probability (paper, Section 7).

@@ -25,7 +25,7 @@ Observer::~Observer() = default;
 
 std::unique_ptr<Observation> Observer::observe(const Images&) const { return nullptr; }
 
-Images::Images(const Frame& frame) : frame_(frame) {}
+Images::Images(Frame frame) : frame_(std::move(frame)) {}
 
 Images::~Images() = default;
 
@@ -48,5 +48,7 @@ const Observation* Images::observation(const Observer& observer) const {
   const std::lock_guard lock(observations_mutex_);
   return observations_.try_emplace(&observer, std::move(made)).first->second.get();
 }
+
+void Images::forget_observations() { observations_.clear(); }
 
 }  // namespace gestalt

@@ -30,10 +30,10 @@ class GESTALT_EXPORT Observer {
 };
 
 /// A frame's images, and what is derived from them alone. Each is made once, by whoever asks first; asking is
-/// thread-safe. Keeps a reference: the frame must outlive it.
+/// thread-safe.
 class GESTALT_EXPORT Images {
  public:
-  explicit Images(const Frame& frame);
+  explicit Images(Frame frame);
   ~Images();
   Images(const Images&) = delete;
   Images& operator=(const Images&) = delete;
@@ -51,8 +51,11 @@ class GESTALT_EXPORT Images {
   /// by its address.
   const Observation* observation(const Observer& observer) const;
 
+  /// Frees what was observed, most of the memory. Not while another thread uses an observation.
+  void forget_observations();
+
  private:
-  const Frame& frame_;
+  const Frame frame_;
   mutable std::once_flag grey_once_, yuv_once_;
   mutable cv::Mat grey_, yuv_;
   mutable std::mutex observations_mutex_;

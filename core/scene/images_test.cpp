@@ -57,16 +57,19 @@ TEST(Images, GreyIsTheWeightedMeanOfTheColours) {
 
 TEST(Images, KeepAnObservationForEachRelation) {
   const auto scene = test::ridge(true);
-  const Images images(scene.frame);
+  const auto images = std::make_shared<Images>(scene.frame);
   const Noting one, other;
   const Blind blind;
-  const Observation* first = images.observation(one);
-  EXPECT_EQ(images.observation(one), first);
+  const Observation* first = images->observation(one);
+  EXPECT_EQ(images->observation(one), first);
   EXPECT_EQ(one.count, 1);
-  EXPECT_NE(images.observation(other), first);
-  EXPECT_EQ(images.observation(blind), nullptr);
+  EXPECT_NE(images->observation(other), first);
+  EXPECT_EQ(images->observation(blind), nullptr);
   const Scene seen(images, scene.patches, scene.surfaces);
   EXPECT_EQ(&seen.observed<Noted>(one), first);
+  images->forget_observations();
+  EXPECT_NE(images->observation(one), nullptr);
+  EXPECT_EQ(one.count, 2);
 }
 
 TEST(Images, GiveAllThreadsTheSameObservation) {

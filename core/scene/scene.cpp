@@ -5,11 +5,11 @@
 
 namespace gestalt {
 
-Scene::Scene(const Images& images, const PatchMap& patches, const SurfaceSet& surfaces)
-    : images_(images), patches_(patches), surfaces_(surfaces) {}
+Scene::Scene(std::shared_ptr<const Images> images, PatchMap patches, SurfaceSet surfaces)
+    : images_(std::move(images)), patches_(std::move(patches)), surfaces_(std::move(surfaces)) {}
 
-Scene::Scene(const Frame& frame, const PatchMap& patches, const SurfaceSet& surfaces)
-    : own_images_(std::make_unique<Images>(frame)), images_(*own_images_), patches_(patches), surfaces_(surfaces) {}
+Scene::Scene(Frame frame, PatchMap patches, SurfaceSet surfaces)
+    : Scene(std::make_shared<const Images>(std::move(frame)), std::move(patches), std::move(surfaces)) {}
 
 const std::vector<std::vector<Contour>>& Scene::contours() const {
   std::call_once(contours_once_, [this] { contours_ = find_contours(surfaces_); });

@@ -17,30 +17,28 @@
 
 namespace gestalt {
 
-/// What a relation sees of a frame: the results of the levels below, and what is derived from them that several
-/// relations share. Each derived image is made once, by whoever asks first; asking is thread-safe.
-/// Keeps references: images or frame, patches and surfaces must outlive it.
+/// A frame with the results of the signal and primitive level, and what is derived from them that several relations
+/// share. What is derived is made once, when it is first asked for; asking is thread-safe.
 class GESTALT_EXPORT Scene {
  public:
-  Scene(const Images& images, const PatchMap& patches, const SurfaceSet& surfaces);
-
-  /// With images of its own.
-  Scene(const Frame& frame, const PatchMap& patches, const SurfaceSet& surfaces);
+  /// images must not be null.
+  Scene(std::shared_ptr<const Images> images, PatchMap patches, SurfaceSet surfaces);
+  Scene(Frame frame, PatchMap patches, SurfaceSet surfaces);
   Scene(const Scene&) = delete;
   Scene& operator=(const Scene&) = delete;
 
-  const Frame& frame() const { return images_.frame(); }
+  const Frame& frame() const { return images_->frame(); }
   const PatchMap& patches() const { return patches_; }
   const SurfaceSet& surfaces() const { return surfaces_; }
 
   /// Images::grey() and Images::yuv().
-  const cv::Mat& grey() const { return images_.grey(); }
-  const cv::Mat& yuv() const { return images_.yuv(); }
+  const cv::Mat& grey() const { return images_->grey(); }
+  const cv::Mat& yuv() const { return images_->yuv(); }
 
   /// What a relation observed in the images, which must be a T.
   template <class T>
   const T& observed(const Observer& relation) const {
-    return static_cast<const T&>(*images_.observation(relation));
+    return static_cast<const T&>(*images_->observation(relation));
   }
 
   /// The contours of every surface, by its index.
@@ -56,10 +54,9 @@ class GESTALT_EXPORT Scene {
   const std::vector<Outline>& outlines() const;
 
  private:
-  const std::unique_ptr<const Images> own_images_;
-  const Images& images_;
-  const PatchMap& patches_;
-  const SurfaceSet& surfaces_;
+  const std::shared_ptr<const Images> images_;
+  const PatchMap patches_;
+  const SurfaceSet surfaces_;
   mutable std::once_flag contours_once_, outlines_once_, lines_once_, closures_once_;
   mutable std::vector<std::vector<Contour>> contours_;
   mutable std::vector<Outline> outlines_;

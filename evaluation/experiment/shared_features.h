@@ -11,6 +11,21 @@
 
 namespace gestalt {
 
+/// The relations that several variants have at a level, each once, and the columns of their table.
+struct SharedRelations {
+  struct Column {
+    std::size_t component;  ///< index into components
+    std::string value;      ///< as the relation declares it
+  };
+  std::vector<ComponentConfig> components;  ///< with all their values
+  std::vector<Column> columns;              ///< of the shared table, in order
+
+  void add(const ComponentConfig& relation, const Registry& registry);
+
+  /// The part of the shared table that a variant with this level has.
+  RelationTable select(const RelationTable& shared, const Percept& percept, const LevelConfig& level) const;
+};
+
 /// The relations of several variants with equal canonical_surfaces(), as one pipeline that computes each of them once
 /// for a scene.
 class SharedFeatures {
@@ -24,8 +39,7 @@ class SharedFeatures {
   LearningScene scene_for(const Variant& variant, const LearningScene& shared) const;
 
  private:
-  std::vector<ComponentConfig> structural_;  ///< of all variants, each once
-  std::vector<ComponentConfig> assembly_;
+  SharedRelations structural_, assembly_;
   std::unique_ptr<const Pipeline> pipeline_;
 };
 

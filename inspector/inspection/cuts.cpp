@@ -85,7 +85,7 @@ std::vector<double> sweep_values(const Parameter& parameter, double current) {
 Cuts sweep_solver(const Config& config, const Registry& registry, const Percept& percept, const Models& models) {
   const Models quick{remembering(models.structural),
                      models.assembly ? std::optional(remembering(*models.assembly)) : std::nullopt};
-  const std::size_t patches = percept.surfaces.surfaces.size();
+  const std::size_t patches = percept.surfaces().surfaces.size();
   const auto cut_with = [&](const Config& changed) {
     return cut_of(Pipeline(changed, registry).decide(percept, quick), patches);
   };

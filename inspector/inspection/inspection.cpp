@@ -84,12 +84,12 @@ cv::Point anchor_of(const Surface& surface, int width) {
 }
 
 json patches_of(const json& result, const Input& input, const Percept& percept, const std::vector<int>& objects) {
-  std::vector<json> patches(percept.surfaces.surfaces.size());
+  std::vector<json> patches(percept.surfaces().surfaces.size());
   for_all(patches.size(), [&](std::size_t i) {
     const json& told = result.at("patches")[i];
-    const cv::Point anchor = anchor_of(percept.surfaces.surfaces[i], input.frame.width());
+    const cv::Point anchor = anchor_of(percept.surfaces().surfaces[i], input.frame.width());
     patches[i] = {{"pixels", told.at("pixels")},
-                  {"type", percept.surfaces.surfaces[i].model->type()},
+                  {"type", percept.surfaces().surfaces[i].model->type()},
                   {"rms", brief(told.at("rms").get<double>())},
                   {"role", name_of(percept.roles[i])},
                   {"object", objects.empty() ? json() : json(objects[i])},
@@ -143,14 +143,6 @@ std::vector<std::size_t> shown_edges(const Graph& graph, const std::vector<int>&
   return shown;
 }
 
-std::span<const double> values_of(const RelationTable& table, const Edge& edge) {
-  const auto row = std::lower_bound(table.pairs.begin(), table.pairs.end(), std::pair(edge.a, edge.b),
-                                    [](const RelationTable::Pair& pair, const std::pair<int, int>& ends) {
-                                      return std::pair(pair.a, pair.b) < ends;
-                                    });
-  return table.row(std::size_t(row - table.pairs.begin()));
-}
-
 /// [a, b, level, p, truth, values, contributions] of each edge shown.
 json edges_of(const Graph& graph, const std::vector<std::size_t>& shown, const Percept& percept, const Models& models,
               const std::vector<int>& objects) {
@@ -158,7 +150,7 @@ json edges_of(const Graph& graph, const std::vector<std::size_t>& shown, const P
   for_all(shown.size(), [&](std::size_t i) {
     const Edge& edge = graph.edges[shown[i]];
     const bool structural = edge.level == Level::structural;
-    const std::span<const double> values = values_of(structural ? percept.structural : percept.assembly, edge);
+    const std::span<const double> values = percept.values(edge);
     json told = json::array(), contributed = json::array();
     for (const double value : values) told.push_back(brief(value));
     for (const double part : contributions(structural ? models.structural : *models.assembly, values))
@@ -228,17 +220,16 @@ json notes_of(const json& stored, const json& result) {
 
 }  // namespace
 
-json inspect_scene(const json& stored, const Input& input, const Config& config, const Registry& registry,
-                   const Models& models) {
-  const Pipeline pipeline(config, registry);
-  const Percept percept = pipeline.perceive(input.frame);
-  const Segmentation segmentation = pipeline.decide(percept, models);
-  const json result = result_json(input, percept, segmentation, percept.times, {});
+json inspect_scene(const json& stored, const Input& input, const Segmenter& segmenter) {
+  const Config& config = segmenter.config();
+  const Registry& registry = segmenter.registry();
+  const Models& models = segmenter.models();
+  const SegmentedFrame found = segmenter.segment(input.frame);
+  const Percept& percept = found.percept;
+  const Segmentation& segmentation = found.segmentation;
+  const json result = result_json(input, found, {});
   const std::vector<int> objects =
-      input.ground_truth.empty() ? std::vector<int>{} : surface_objects(percept.surfaces, input.ground_truth);
-  Frame frame = input.frame;
-  frame.noise = pipeline.noise();
-  const Scene scene(frame, percept.patches, percept.surfaces);
+      input.ground_truth.empty() ? std::vector<int>{} : surface_objects(percept.surfaces(), input.ground_truth);
   const std::vector<std::size_t> shown = shown_edges(segmentation.graph, objects);
 
   json levels = json::array({level_of(Level::structural, config.structural, registry, models.structural)});
@@ -256,7 +247,7 @@ json inspect_scene(const json& stored, const Input& input, const Config& config,
                {"edges", edges_of(segmentation.graph, shown, percept, models, objects)},
                {"edges_left_out", segmentation.graph.edges.size() - shown.size()},
                {"solver", solver_of(config, sweep_solver(config, registry, percept, models))}};
-  add_lines(content, scene);
+  add_lines(content, *percept.scene);
   return content;
 }
 

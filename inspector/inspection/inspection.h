@@ -7,19 +7,16 @@
 #include <string>
 #include <vector>
 
-#include "gestalt/core/config/config.h"
-#include "gestalt/core/pipeline/pipeline.h"
-#include "gestalt/core/plugin/registry.h"
+#include "gestalt/core/pipeline/segmenter.h"
 #include "gestalt/io/scene/input.h"
 
 namespace gestalt {
 
 /// Computes a scene again and gives everything that the Inspector's page shows of it; docs/inspector.md tells what each
-/// thing means, inspector/README.md how it is stored. stored is the scene's result.json, config that of the result or
-/// what replaces it. Where the two results differ, "notes" tells the first difference. Deterministic for any number of
-/// threads. Throws as Pipeline does.
-nlohmann::json inspect_scene(const nlohmann::json& stored, const Input& input, const Config& config,
-                             const Registry& registry, const Models& models);
+/// thing means, inspector/README.md how it is stored. stored is the scene's result.json, segmenter that of its config
+/// or of what replaces it. Where the two results differ, "notes" tells the first difference. Deterministic for any
+/// number of threads. Throws as Segmenter does.
+nlohmann::json inspect_scene(const nlohmann::json& stored, const Input& input, const Segmenter& segmenter);
 
 /// The page of one or several scenes, each as inspect_scene() gives it: one HTML file that needs nothing else. What is
 /// in them may come from a stranger and cannot leave the data. Throws ConfigError when the page's template, of

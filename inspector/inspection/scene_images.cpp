@@ -104,8 +104,8 @@ json scene_images(const Input& input, const Percept& percept) {
           {"colour", frame.has_colour() ? json(uri(thinned(frame.colour, step))) : json()},
           {"depth", numbers(in_units(frame.depth, unit))},
           {"depth_unit", unit},
-          {"patches", numbers(percept.surfaces.labels)},
-          {"normals", uri(normals_of(frame, percept.surfaces, step))},
+          {"patches", numbers(percept.surfaces().labels)},
+          {"normals", uri(normals_of(frame, percept.surfaces(), step))},
           {"truth", input.ground_truth.empty() ? json() : json(numbers(objects_of(input.ground_truth)))}};
 }
 

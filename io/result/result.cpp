@@ -10,7 +10,6 @@
 #include <algorithm>
 #include <cmath>
 #include <iterator>
-#include <map>
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
 
@@ -64,8 +63,10 @@ double rms_distance(const Frame& frame, const Surface& surface) {
   return std::sqrt(sum / double(surface.pixels.size()));
 }
 
-Json patches_json(const Frame& frame, const SurfaceSet& surfaces) {
-  const std::vector<std::vector<Contour>> contours = find_contours(surfaces);
+Json patches_json(const Scene& scene) {
+  const Frame& frame = scene.frame();
+  const SurfaceSet& surfaces = scene.surfaces();
+  const std::vector<std::vector<Contour>>& contours = scene.contours();
   std::vector<Json> patches(surfaces.surfaces.size());
   tbb::parallel_for(std::size_t{0}, patches.size(), [&](std::size_t i) {
     const Surface& surface = surfaces.surfaces[i];
@@ -83,13 +84,11 @@ Json patches_json(const Frame& frame, const SurfaceSet& surfaces) {
 /// The edges of the graph with the relation values that they come from.
 Json pairs_json(const Percept& percept, const Graph& graph) {
   Json pairs = Json::array();
-  std::map<Level, std::size_t> next;
   for (const Edge& edge : graph.edges) {
-    const RelationTable& table = edge.level == Level::structural ? percept.structural : percept.assembly;
-    std::size_t& row = next[edge.level];  // a table's rows are sorted as the edges are
-    while (table.pairs.at(row).a != edge.a || table.pairs.at(row).b != edge.b) ++row;
+    const std::vector<std::string>& names = percept.table(edge.level).names;
+    const std::span<const double> row = percept.values(edge);
     Json values;
-    for (std::size_t k = 0; k < table.names.size(); ++k) values[table.names[k]] = table.row(row)[k];
+    for (std::size_t k = 0; k < names.size(); ++k) values[names[k]] = row[k];
     pairs.push_back({{"a", edge.a},
                      {"b", edge.b},
                      {"level", name_of(edge.level)},
@@ -124,10 +123,10 @@ std::string absolute_path(const std::filesystem::path& path) {
 
 }  // namespace
 
-Json result_json(const Input& input, const Percept& percept, const Segmentation& segmentation, const LevelTimes& times,
-                 const Json& config) {
+Json result_json(const Input& input, const SegmentedFrame& found, const Json& config) {
+  const auto& [percept, segmentation, times] = found;
   Json patches;
-  isolated([&] { patches = patches_json(input.frame, percept.surfaces); });
+  isolated([&] { patches = patches_json(*found.percept.scene); });
   return {{"format", "gestalt-result"},
           {"version", 2},
           {"gestalt", GESTALT_VERSION},
@@ -148,16 +147,16 @@ Json result_json(const Input& input, const Percept& percept, const Segmentation&
           {"config", config}};
 }
 
-void write_result(const std::filesystem::path& folder, const Input& input, const Percept& percept,
-                  const Segmentation& segmentation, const LevelTimes& times, const Json& config,
-                  std::vector<OutputFile> more) {
+void write_result(const std::filesystem::path& folder, const Input& input, const SegmentedFrame& found,
+                  const Json& config, std::vector<OutputFile> more) {
+  const Segmentation& segmentation = found.segmentation;
   std::vector<OutputFile> files{{folder / "labels.png", encode_png(segmentation.labels)},
                                 {folder / "objects.png", encode_png(object_labels(segmentation))},
                                 {folder / "overlay.png", encode_png(draw_segments(input.frame, segmentation))},
-                                {folder / "patches.png", encode_png(draw_patches(percept.surfaces.labels))}};
+                                {folder / "patches.png", encode_png(draw_patches(found.percept.surfaces().labels))}};
   if (!input.cloud.empty()) files.push_back({folder / "labels.pcd", point_labels(input, segmentation.labels)});
   std::move(more.begin(), more.end(), std::back_inserter(files));
-  Json result = result_json(input, percept, segmentation, times, config);
+  Json result = result_json(input, found, config);
   for (const OutputFile& file : files) result["files"].push_back(file.file.filename().string());
   // A scene's name comes from a path, which may be no UTF-8.
   write_files(files, {folder / "result.json", result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"});

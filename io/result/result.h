@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gestalt/core/base/output_file.h"
-#include "gestalt/core/pipeline/pipeline.h"
+#include "gestalt/core/pipeline/segmenter.h"
 #include "gestalt/core/scene/scene.h"
 #include "gestalt/io/scene/input.h"
 
@@ -18,8 +18,8 @@ namespace gestalt {
 /// Everything that was found in a scene and how: the input's absolute path, camera, segments with their roles, surfaces
 /// and pixel counts, patches with their surface models, pairs with all relation values and p, milliseconds of each
 /// level. config is ConfigTree::to_json(). Pairs and patches count from 0, segments have their labels.
-GESTALT_EXPORT nlohmann::json result_json(const Input& input, const Percept& percept, const Segmentation& segmentation,
-                                          const LevelTimes& times, const nlohmann::json& config);
+GESTALT_EXPORT nlohmann::json result_json(const Input& input, const SegmentedFrame& found,
+                                          const nlohmann::json& config);
 
 /// The colour of a segment or patch in pictures and meshes, blue green red, by its number.
 GESTALT_EXPORT cv::Vec3b segment_colour(int label);
@@ -52,8 +52,7 @@ GESTALT_EXPORT cv::Mat draw_graph(const Frame& frame, const SurfaceSet& surfaces
 /// unorganized clouds also labels.pcd (x y z label, the original points in their order; label 0 = in no segment), into
 /// a folder, and the files in more: all of them or, with OutputError, none. result.json comes last, and an old one is
 /// removed first: where it is, all files are and belong together.
-GESTALT_EXPORT void write_result(const std::filesystem::path& folder, const Input& input, const Percept& percept,
-                                 const Segmentation& segmentation, const LevelTimes& times,
+GESTALT_EXPORT void write_result(const std::filesystem::path& folder, const Input& input, const SegmentedFrame& found,
                                  const nlohmann::json& config, std::vector<OutputFile> more = {});
 
 }  // namespace gestalt

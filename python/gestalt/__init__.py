@@ -2,8 +2,8 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Segments unknown objects in RGB-D frames by learned perceptual grouping.
 
->>> pipeline = gestalt.Pipeline()
->>> result = pipeline(colour, depth, gestalt.Camera(640, 480, 525, 525, 319.5, 239.5))
+>>> segmenter = gestalt.Segmenter()
+>>> result = segmenter(colour, depth, gestalt.Camera(640, 480, 525, 525, 319.5, 239.5))
 >>> result.object_labels, result.objects, result.structural["probabilities"]
 """
 
@@ -20,7 +20,7 @@ from ._gestalt import (
     InputError,
     ModelError,
     OutputError,
-    Pipeline,
+    Segmenter,
     PluginError,
     Result,
     SceneView,
@@ -43,7 +43,7 @@ __all__ = [
     "ModelError",
     "OutputError",
     "Parameter",
-    "Pipeline",
+    "Segmenter",
     "PluginError",
     "Relation",
     "Result",

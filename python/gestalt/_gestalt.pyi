@@ -84,7 +84,7 @@ class Result:
     def to_dict(self) -> dict[str, Any]: ...
     def save(self, folder: Path) -> None: ...
 
-class Pipeline:
+class Segmenter:
     def __init__(
         self,
         config: Path | None = None,

@@ -123,7 +123,7 @@ def _is_component(candidate: object) -> bool:
 
 
 def register(name: str) -> Callable[[AnyComponent], AnyComponent]:
-    """A decorator: every Pipeline that is made later knows the class by this name.
+    """A decorator: every Segmenter that is made later knows the class by this name.
 
     >>> @gestalt.register("height_gap")
     ... class HeightGap(gestalt.Relation): ...

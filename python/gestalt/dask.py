@@ -35,22 +35,22 @@ class Outcome(NamedTuple):
     error: str | None
 
 
-# Arguments of a pipeline as tasks take them: hashable.
+# Arguments of a segmenter as tasks take them: hashable.
 Overrides = tuple[str, ...]
 Components = tuple[tuple[str, type[Component]], ...]
 Answer = TypeVar("Answer")
 
 
 @functools.lru_cache(maxsize=4)
-def _pipeline(config: str | None, overrides: Overrides, components: Components) -> _gestalt.Pipeline:
+def _segmenter(config: str | None, overrides: Overrides, components: Components) -> _gestalt.Segmenter:
     _gestalt.keep_freed_memory()
-    return _gestalt.Pipeline(config, list(overrides), components=dict(components), threads=1)
+    return _gestalt.Segmenter(config, list(overrides), components=dict(components), threads=1)
 
 
 def _segment(scene: str, output: str, config: str | None, overrides: Overrides, components: Components) -> Outcome:
-    pipeline = _pipeline(config, overrides, components)
+    segmenter = _segmenter(config, overrides, components)
     try:
-        result = pipeline.segment(scene)
+        result = segmenter.segment(scene)
     except (_gestalt.InputError, _gestalt.PluginError) as error:
         return Outcome(scene, None, 0, 0.0, str(error))
     folder = os.path.join(output, result.name)
@@ -96,7 +96,7 @@ def segment(
     """Segments scenes and writes the results of each into a folder of its name under output.
 
     Returns their outcomes in order. A scene that cannot be used does not stop the others. The other arguments are those of
-    Pipeline; raises what that raises, and OutputError.
+    Segmenter; raises what that raises, and OutputError.
     """
     given = _given(config, overrides, components)
     return _spread(client, _segment, [(os.fspath(scene), os.fspath(output), *given) for scene in scenes])

@@ -54,9 +54,9 @@ nlohmann::json training_of(const Model& model) {
 py::object train(const py::object& scenes, const fs::path& output, const py::object& config,
                  const std::vector<std::string>& overrides, const py::object& components, int threads) {
   const std::vector<fs::path> given = paths(scenes);
-  const Configured configured(config_file(config), overrides, registered(components), threads);
-  return object_of(configured.run([&] {
-    const Pipeline& pipeline = configured.pipeline();
+  const LoadedConfig loaded = load_config(config, overrides, registered(components));
+  return object_of(Arena(threads).run([&] {
+    const Pipeline pipeline(loaded.config, loaded.registry);
     const Models models = learn(pipeline, perceive(pipeline, find_scenes(given)).pointers());
     write_models(output, models);
     nlohmann::json trained{{name_of(Level::structural), training_of(models.structural)}};
@@ -68,9 +68,9 @@ py::object train(const py::object& scenes, const fs::path& output, const py::obj
 py::object cross_validate(const py::object& scenes, int folds, std::uint64_t seed, const py::object& config,
                           const std::vector<std::string>& overrides, const py::object& components, int threads) {
   const std::vector<fs::path> given = paths(scenes);
-  const Configured configured(config_file(config), overrides, registered(components), threads);
-  return object_of(configured.run([&] {
-    const Pipeline& pipeline = configured.pipeline();
+  const LoadedConfig loaded = load_config(config, overrides, registered(components));
+  return object_of(Arena(threads).run([&] {
+    const Pipeline pipeline(loaded.config, loaded.registry);
     const std::vector<fs::path> all = find_scenes(given);
     const std::vector<std::string> categories = scene_categories(all);
     const std::vector<int> fold = deal_folds(categories, folds, seed);

@@ -7,7 +7,7 @@
 #include <pybind11/stl/filesystem.h>
 
 #include <limits>
-#include <map>
+#include <memory>
 #include <optional>
 
 #include "arrays.h"
@@ -24,28 +24,28 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// What results need of the segmenter that made them.
+struct Source {
+  Arena arena;
+  nlohmann::json config;  ///< Segmenter::config_json()
+};
+
 /// What was found in a frame. Images share their memory with numpy; the rest is made when it is asked for.
 class Result {
  public:
-  Result(std::shared_ptr<const Configured> configured, Input input, Percept percept, Segmentation segmentation,
-         LevelTimes times)
-      : configured_(std::move(configured)),
-        input_(std::move(input)),
-        percept_(std::move(percept)),
-        segmentation_(std::move(segmentation)),
-        times_(times) {}
+  Result(std::shared_ptr<const Source> source, Input input, SegmentedFrame found)
+      : source_(std::move(source)), input_(std::move(input)), found_(std::move(found)) {}
 
   const std::string& name() const { return input_.frame.name; }
-  py::array labels() const { return array_of(segmentation_.labels); }
-  py::array objects_image() const { return array_of(object_labels(segmentation_)); }
-  py::array patch_labels() const { return array_of(percept_.surfaces.labels); }
-  py::array normals() const { return array_of(percept_.patches.normals); }
+  py::array labels() const { return array_of(found_.segmentation.labels); }
+  py::array objects_image() const { return array_of(object_labels(found_.segmentation)); }
+  py::array patch_labels() const { return array_of(found_.percept.surfaces().labels); }
+  py::array normals() const { return array_of(found_.percept.patches().normals); }
   py::array points() const { return array_of(input_.frame.points); }
 
   /// result.json, made once.
   const py::dict& dictionary() {
-    if (!dictionary_)
-      dictionary_ = object_of(result_json(input_, percept_, segmentation_, times_, configured_->config()));
+    if (!dictionary_) dictionary_ = object_of(result_json(input_, found_, source_->config));
     return *dictionary_;
   }
 
@@ -60,20 +60,17 @@ class Result {
   }
 
   py::dict pairs(Level level) const {
-    const RelationTable& table = level == Level::structural ? percept_.structural : percept_.assembly;
-    std::map<std::pair<int, int>, double> decided;
-    for (const Edge& edge : segmentation_.graph.edges)
-      if (edge.level == level) decided[{edge.a, edge.b}] = edge.probability;
+    const RelationTable& table = found_.percept.table(level);
     const std::size_t rows = table.pairs.size();
     py::array_t<std::int64_t> numbers({rows, std::size_t{2}});
     py::array_t<double> values({rows, table.names.size()}), probabilities{py::ssize_t(rows)};
     std::copy(table.values.begin(), table.values.end(), values.mutable_data());
     for (std::size_t i = 0; i < rows; ++i) {
-      const auto [a, b] = table.pairs[i];
-      numbers.mutable_at(i, 0) = a, numbers.mutable_at(i, 1) = b;
-      const auto found = decided.find({a, b});
-      probabilities.mutable_at(i) = found == decided.end() ? std::numeric_limits<double>::quiet_NaN() : found->second;
+      numbers.mutable_at(i, 0) = table.pairs[i].a, numbers.mutable_at(i, 1) = table.pairs[i].b;
+      probabilities.mutable_at(i) = std::numeric_limits<double>::quiet_NaN();
     }
+    for (const Edge& edge : found_.segmentation.graph.edges)
+      if (edge.level == level) probabilities.mutable_at(edge.row) = edge.probability;
     py::dict pairs;
     pairs["names"] = table.names;
     pairs["pairs"] = numbers;
@@ -84,47 +81,41 @@ class Result {
 
   py::dict milliseconds() const {
     py::dict times;
-    times["signal"] = times_.signal;
-    times["primitive"] = times_.primitive;
-    times["structural"] = times_.structural;
-    times["assembly"] = times_.assembly;
-    times["decision"] = times_.decision;
+    times["signal"] = found_.times.signal;
+    times["primitive"] = found_.times.primitive;
+    times["structural"] = found_.times.structural;
+    times["assembly"] = found_.times.assembly;
+    times["decision"] = found_.times.decision;
     return times;
   }
 
   void save(const fs::path& folder) const {
-    configured_->run([&] { write_result(folder, input_, percept_, segmentation_, times_, configured_->config()); });
+    source_->arena.run([&] { write_result(folder, input_, found_, source_->config); });
   }
 
   std::string text() const {
     std::size_t objects = 0;
-    for (const Segment& segment : segmentation_.segments) objects += segment.role == Role::object;
+    for (const Segment& segment : found_.segmentation.segments) objects += segment.role == Role::object;
     return "<gestalt.Result of '" + name() + "': " + std::to_string(objects) + " objects, " +
-           std::to_string(percept_.surfaces.surfaces.size()) + " patches>";
+           std::to_string(found_.percept.surfaces().surfaces.size()) + " patches>";
   }
 
  private:
-  std::shared_ptr<const Configured> configured_;
+  std::shared_ptr<const Source> source_;
   Input input_;
-  Percept percept_;
-  Segmentation segmentation_;
-  LevelTimes times_;
+  SegmentedFrame found_;
   std::optional<py::dict> dictionary_;
 };
 
-class Segmenter {
+/// gestalt.Segmenter.
+class PySegmenter {
  public:
-  Segmenter(const py::object& config, const std::vector<std::string>& overrides, const py::dict& components,
-            int threads)
-      : configured_(std::make_shared<const Configured>(config_file(config), overrides, components, threads)),
-        models_(configured_->run([&] { return configured_->pipeline().load_models(); })) {
-    if (configured_->pipeline().trained_otherwise(models_) &&
-        PyErr_WarnEx(
-            PyExc_UserWarning,
-            (configured_->pipeline().config().model.string() +
-             " was trained with other parameters of the levels below the classifier; retrain it for this config")
-                .c_str(),
-            1))
+  PySegmenter(LoadedConfig loaded, int threads)
+      : source_{std::make_shared<Source>(Source{Arena(threads), {}})},
+        segmenter_(source_->arena.run([&] { return Segmenter(std::move(loaded)); })) {
+    source_->config = segmenter_.config_json();
+    if (const std::string warning = segmenter_.warning();
+        !warning.empty() && PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1))
       throw py::error_already_set();
   }
 
@@ -132,7 +123,7 @@ class Segmenter {
                                const std::string& name) const {
     cv::Mat colours = colour_image(colour);
     cv::Mat_<float> depths = depth_image(depth);
-    return configured_->run([&] {
+    return source_->arena.run([&] {
       Input input;
       input.path = name;
       input.frame = make_frame(name, std::move(colours), std::move(depths), camera);
@@ -141,38 +132,34 @@ class Segmenter {
   }
 
   std::unique_ptr<Result> read(const fs::path& scene, const std::optional<Camera>& camera) const {
-    return configured_->run(
+    return source_->arena.run(
         [&] { return segment(read_scene(scene, camera ? std::optional<CameraFile>(*camera) : std::nullopt)); });
   }
 
   py::object evaluate(const py::object& scenes) const {
     const std::vector<fs::path> given = paths(scenes);
-    return object_of(configured_->run([&] {
+    return object_of(source_->arena.run([&] {
       const std::vector<fs::path> all = find_scenes(given);
       std::vector<ImageScore> scores(all.size());
       for_all(all.size(), [&](std::size_t i) {
         const Input input = read_scene(all[i]);
         const auto ground_truth = scored_ground_truth(input);
-        const Pipeline& pipeline = configured_->pipeline();
-        scores[i] = score_image(ground_truth, pipeline.decide(pipeline.perceive(input.frame), models_).labels);
+        scores[i] = score_image(ground_truth, segmenter_.segment(input.frame).segmentation.labels);
       });
       return to_json(summarise(scores, scene_categories(all)));
     }));
   }
 
-  py::object config() const { return object_of(configured_->config().at("values")); }
+  py::object config() const { return object_of(source_->config.at("values")); }
 
  private:
   std::unique_ptr<Result> segment(Input input) const {
-    const Pipeline& pipeline = configured_->pipeline();
-    Percept percept = pipeline.perceive(input.frame);
-    LevelTimes times = percept.times;
-    Segmentation segmentation = pipeline.decide(percept, models_, &times);
-    return std::make_unique<Result>(configured_, std::move(input), std::move(percept), std::move(segmentation), times);
+    SegmentedFrame found = segmenter_.segment(input.frame);
+    return std::make_unique<Result>(source_, std::move(input), std::move(found));
   }
 
-  std::shared_ptr<const Configured> configured_;
-  Models models_;
+  std::shared_ptr<Source> source_;
+  Segmenter segmenter_;
 };
 
 py::tuple read(const fs::path& scene, const std::optional<Camera>& camera) {
@@ -187,19 +174,13 @@ py::tuple read(const fs::path& scene, const std::optional<Camera>& camera) {
 
 }  // namespace
 
-Configured::Configured(const fs::path& config, const std::vector<std::string>& overrides, const py::dict& components,
-                       int threads)
-    : tree_(config, overrides),
-      registry_(plugin_search_path(tree_.plugin_directories())),
-      arena_(threads > 0 ? threads : int(tbb::task_arena::automatic)) {
+LoadedConfig load_config(const py::object& config, const std::vector<std::string>& overrides,
+                         const py::dict& components) {
+  ConfigTree tree(config.is_none() ? default_config() : py::cast<fs::path>(config), overrides);
+  Registry registry(plugin_search_path(tree.plugin_directories()));
   for (const auto& [name, type] : components)
-    add_component(registry_, py::cast<std::string>(name), py::reinterpret_borrow<py::object>(type));
-  pipeline_ = run([&] { return std::make_unique<const Pipeline>(tree_.resolve(registry_), registry_); });
-  config_ = tree_.to_json(registry_);
-}
-
-fs::path config_file(const py::object& config) {
-  return config.is_none() ? default_config() : py::cast<fs::path>(config);
+    add_component(registry, py::cast<std::string>(name), py::reinterpret_borrow<py::object>(type));
+  return {std::move(tree), std::move(registry)};
 }
 
 std::vector<fs::path> paths(const py::object& paths) {
@@ -237,7 +218,7 @@ values: (n, k); probabilities: (n,) that the two are of one object, NaN where th
            "Writes labels.png, objects.png, overlay.png, patches.png and result.json: all or none.")
       .def("__repr__", &Result::text);
 
-  py::class_<Segmenter>(module, "Pipeline", R"(The segmenter, ready to run; may be used from many threads.
+  py::class_<PySegmenter>(module, "Segmenter", R"(The segmenter, ready to run; may be used from many threads.
 
 config: a YAML file or the name of an installed config; None: default.yaml.
 overrides: texts as "structural.minimum_size=50", as --set of the command.
@@ -247,11 +228,11 @@ threads: of TBB, 0 for all. Results are the same for any number.
 Raises ConfigError, PluginError, ModelError. Warns when the model was trained with other parameters.)")
       .def(py::init([](const py::object& config, const std::vector<std::string>& overrides,
                        const py::object& components, int threads) {
-             return std::make_unique<Segmenter>(config, overrides, registered(components), threads);
+             return std::make_unique<PySegmenter>(load_config(config, overrides, registered(components)), threads);
            }),
            py::arg("config") = py::none(), py::arg("overrides") = std::vector<std::string>{}, py::kw_only(),
            py::arg("components") = py::none(), py::arg("threads") = 0)
-      .def("__call__", &Segmenter::call, py::arg("colour"), py::arg("depth"), py::arg("camera"),
+      .def("__call__", &PySegmenter::call, py::arg("colour"), py::arg("depth"), py::arg("camera"),
            py::arg("name") = "frame", R"(Segments a frame.
 
 colour: (height, width, 3) uint8, red green blue; or None, when no relation of the config needs it.
@@ -259,11 +240,11 @@ depth: (height, width) uint16 in millimetres or float in metres; 0 or not finite
 
 The interpreter is released meanwhile. Raises InputError when the images and the camera do not fit each other,
 PluginError when a component fails.)")
-      .def("segment", &Segmenter::read, py::arg("scene"), py::arg("camera") = py::none(),
+      .def("segment", &PySegmenter::read, py::arg("scene"), py::arg("camera") = py::none(),
            "Segments a scene folder or a cloud, as `gestalt segment` does; camera replaces the scene's.")
-      .def("evaluate", &Segmenter::evaluate, py::arg("scenes"),
+      .def("evaluate", &PySegmenter::evaluate, py::arg("scenes"),
            "Scores of scenes with ground truth by category, and of \"all\", as `gestalt evaluate --json` prints them.")
-      .def_property_readonly("config", &Segmenter::config, "The resolved config as a dictionary.");
+      .def_property_readonly("config", &PySegmenter::config, "The resolved config as a dictionary.");
 
   module.def("read_scene", &read, py::arg("scene"), py::arg("camera") = py::none());
 }

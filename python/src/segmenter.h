@@ -5,31 +5,22 @@
 #include <pybind11/pybind11.h>
 #include <tbb/task_arena.h>
 
-#include <memory>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "gestalt/core/config/config.h"
-#include "gestalt/core/pipeline/pipeline.h"
+#include "gestalt/core/pipeline/segmenter.h"
 
 namespace gestalt::python {
 
 namespace py = pybind11;
 
-/// A config with its components, those in Python included, ready to run in threads of its own.
-class Configured {
+/// The threads of a segmenter, or of one call.
+class Arena {
  public:
-  /// components: dictionary of classes by name. threads: 0 for all. Throws ConfigError, PluginError.
-  Configured(const std::filesystem::path& config, const std::vector<std::string>& overrides, const py::dict& components,
-             int threads);
+  /// 0: all.
+  explicit Arena(int threads) : arena_(threads > 0 ? threads : int(tbb::task_arena::automatic)) {}
 
-  const Pipeline& pipeline() const { return *pipeline_; }
-
-  /// ConfigTree::to_json().
-  const nlohmann::json& config() const { return config_; }
-
-  /// f() in the pipeline's threads, with the interpreter released.
+  /// f() in these threads, with the interpreter released.
   template <class F>
   auto run(F f) const {
     const py::gil_scoped_release released;
@@ -37,21 +28,19 @@ class Configured {
   }
 
  private:
-  ConfigTree tree_;
-  Registry registry_;
-  std::unique_ptr<const Pipeline> pipeline_;
-  nlohmann::json config_;
   mutable tbb::task_arena arena_;
 };
 
-/// The classes gestalt.Pipeline and gestalt.Result, and read_scene.
+/// A config with its components, those in Python included. config: a file or None, for default.yaml; components:
+/// dictionary of classes by name. Throws ConfigError, PluginError.
+LoadedConfig load_config(const py::object& config, const std::vector<std::string>& overrides,
+                         const py::dict& components);
+
+/// The classes gestalt.Segmenter and gestalt.Result, and read_scene.
 void bind_segmenter(py::module_& module);
 
 /// The functions train, cross_validate and score.
 void bind_learning(py::module_& module);
-
-/// The config that is named, default.yaml for None.
-std::filesystem::path config_file(const py::object& config);
 
 /// Texts of one or many.
 std::vector<std::filesystem::path> paths(const py::object& paths);

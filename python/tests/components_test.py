@@ -80,7 +80,7 @@ class ComponentsTest(unittest.TestCase):
     def setUpClass(cls):
         cls.work = tempfile.TemporaryDirectory()
         cls.scenes = synthesize(pathlib.Path(cls.work.name, "scenes"), 2)
-        cls.reference = gestalt.Pipeline().segment(demo)
+        cls.reference = gestalt.Segmenter().segment(demo)
 
     @classmethod
     def tearDownClass(cls):
@@ -89,7 +89,7 @@ class ComponentsTest(unittest.TestCase):
     def trained(self, components, overrides):
         model = pathlib.Path(self.work.name, "model.json")
         gestalt.train(self.scenes, model, overrides=overrides, components=components)
-        return gestalt.Pipeline(overrides=[*overrides, f"model={model}"], components=components)
+        return gestalt.Segmenter(overrides=[*overrides, f"model={model}"], components=components)
 
     def test_a_relation_gives_what_the_same_in_cpp_gives(self):
         result = self.trained({"own": Size}, OWN_RELATION).segment(demo)
@@ -105,7 +105,7 @@ class ComponentsTest(unittest.TestCase):
         own, theirs = (table["values"][:, table["names"].index(name)] for name in ("r_own", "r_rs"))
         numpy.testing.assert_allclose(own, theirs**2)
         with self.assertRaisesRegex(gestalt.ConfigError, r"expected a number in \[0.1, 10\]"):
-            gestalt.Pipeline(overrides=[OWN_RELATION[0], "structural.relations.own.params.power=11"], components=components)
+            gestalt.Segmenter(overrides=[OWN_RELATION[0], "structural.relations.own.params.power=11"], components=components)
 
     def test_a_relation_sees_the_frame(self):
         seen = {}
@@ -138,29 +138,29 @@ class ComponentsTest(unittest.TestCase):
         components, overrides = {"own": NearestMean}, ["structural.classifier=own"]
         first = self.trained(components, overrides).segment(demo)
         model = pathlib.Path(self.work.name, "model.json")
-        again = gestalt.Pipeline(overrides=[*overrides, f"model={model}"], components=components).segment(demo)
+        again = gestalt.Segmenter(overrides=[*overrides, f"model={model}"], components=components).segment(demo)
         p = first.structural["probabilities"]
         numpy.testing.assert_array_equal(p, again.structural["probabilities"])
         self.assertGreater(numpy.nanstd(p), 0.05)
 
     def test_a_solver_decides_as_the_same_in_cpp(self):
-        own = gestalt.Pipeline(overrides=OWN_SOLVER, components={"own": Threshold}).segment(demo)
-        theirs = gestalt.Pipeline(overrides=["decision.solver=threshold"]).segment(demo)
+        own = gestalt.Segmenter(overrides=OWN_SOLVER, components={"own": Threshold}).segment(demo)
+        theirs = gestalt.Segmenter(overrides=["decision.solver=threshold"]).segment(demo)
         numpy.testing.assert_array_equal(own.labels, theirs.labels)
 
     def test_what_is_registered_is_known(self):
         gestalt.register("registered_threshold")(Threshold)
-        gestalt.Pipeline(overrides=["decision.solver=registered_threshold"]).segment(demo)
+        gestalt.Segmenter(overrides=["decision.solver=registered_threshold"]).segment(demo)
         with self.assertRaisesRegex(ValueError, "registered already"):
             gestalt.register("registered_threshold")(Size)
         with self.assertRaisesRegex(TypeError, "derived from"):
             gestalt.register("function")(len)
         with self.assertRaisesRegex(gestalt.ConfigError, "did you mean"):
-            gestalt.Pipeline(overrides=["decision.solver=registered_treshold"])
+            gestalt.Segmenter(overrides=["decision.solver=registered_treshold"])
 
     def test_a_name_that_is_taken_is_refused(self):
         with self.assertRaisesRegex(gestalt.PluginError, "threshold"):
-            gestalt.Pipeline(components={"threshold": Threshold})
+            gestalt.Segmenter(components={"threshold": Threshold})
 
     def fails(self, text, components, overrides, error=gestalt.PluginError):
         """The frame fails with the component's name and this text, and the next one of others is as ever."""
@@ -168,7 +168,7 @@ class ComponentsTest(unittest.TestCase):
             self.trained(components, overrides).segment(demo)
         self.assertIn("own", str(raised.exception))
         self.assertIn(text, str(raised.exception))
-        numpy.testing.assert_array_equal(gestalt.Pipeline().segment(demo).labels, self.reference.labels)
+        numpy.testing.assert_array_equal(gestalt.Segmenter().segment(demo).labels, self.reference.labels)
 
     def test_relations_that_misbehave_fail_the_frame(self):
         def raises(pairs):
@@ -220,7 +220,7 @@ class ComponentsTest(unittest.TestCase):
             ("division by zero", lambda n: 1 / 0),
         ):
             with self.subTest(text), self.assertRaises(gestalt.PluginError) as raised:
-                gestalt.Pipeline(overrides=OWN_SOLVER, components={"own": solver(answer)}).segment(demo)
+                gestalt.Segmenter(overrides=OWN_SOLVER, components={"own": solver(answer)}).segment(demo)
             self.assertIn(text, str(raised.exception))
 
     def test_declarations_that_misbehave_are_told(self):
@@ -240,7 +240,7 @@ class ComponentsTest(unittest.TestCase):
             ("own", Odd, OWN_SOLVER),
         ):
             with self.subTest(text), self.assertRaisesRegex(gestalt.Error, text):
-                gestalt.Pipeline(overrides=overrides, components={"own": cls})
+                gestalt.Segmenter(overrides=overrides, components={"own": cls})
 
 
 if __name__ == "__main__":

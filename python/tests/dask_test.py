@@ -43,7 +43,7 @@ class DaskTest(unittest.TestCase):
             scene = cls.work / "scenes" / f"scene_{i:02}"
             shutil.copytree(demo, scene)
             cls.scenes.append(scene)
-        cls.expected = gestalt.Pipeline().segment(demo).labels
+        cls.expected = gestalt.Segmenter().segment(demo).labels
 
     @classmethod
     def tearDownClass(cls):

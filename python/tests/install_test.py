@@ -15,7 +15,7 @@ assert gestalt.__file__.startswith(sys.argv[1]), gestalt.__file__
 assert gestalt.data_directory().startswith(sys.argv[1]), gestalt.data_directory()
 loaded = [line.split()[-1] for line in open("/proc/self/maps") if "gestalt" in line and ".so" in line]
 assert loaded and all(file.startswith(sys.argv[1]) for file in loaded), loaded
-print(len(gestalt.Pipeline().segment(sys.argv[2]).objects))
+print(len(gestalt.Segmenter().segment(sys.argv[2]).objects))
 """
 
 

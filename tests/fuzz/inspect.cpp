@@ -27,12 +27,6 @@ Input scene() {
   return input;
 }
 
-struct Segmenter {
-  Registry registry{plugin_search_path({})};
-  Config config = ConfigTree(default_config(), {}).resolve(registry);
-  Models models = Pipeline(config, registry).load_models();
-};
-
 }  // namespace
 
 extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size) {
@@ -42,6 +36,6 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   static const Segmenter segmenter;
   return expect_result_or_error([&] {
     const nlohmann::json stored = read_result_content(scratch.write("result.json", text_of(data, size)));
-    inspector_page({inspect_scene(stored, input, segmenter.config, segmenter.registry, segmenter.models)});
+    inspector_page({inspect_scene(stored, input, segmenter)});
   });
 }

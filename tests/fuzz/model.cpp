@@ -9,7 +9,7 @@
 #include <cmath>
 #include <iostream>
 
-#include "gestalt/core/pipeline/pipeline.h"
+#include "gestalt/core/pipeline/segmenter.h"
 #include "scratch.h"
 
 namespace {
@@ -17,8 +17,8 @@ namespace {
 using namespace gestalt;
 
 Pipeline pipeline_of(const std::vector<std::string>& overrides) {
-  const Registry registry(plugin_search_path({}));
-  return Pipeline(ConfigTree(default_config(), overrides).resolve(registry), registry);
+  const LoadedConfig loaded(ConfigTree(default_config(), overrides));
+  return Pipeline(loaded.config, loaded.registry);
 }
 
 void require_probabilities(const Model& model) {

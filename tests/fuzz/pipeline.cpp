@@ -153,7 +153,7 @@ void require_consistent(const Percept& percept, const Segmentation& segmentation
   if (segmentation.labels.size() != size) found("labels are of another size");
   for (const Edge& edge : segmentation.graph.edges)
     if (!(edge.probability >= 0 && edge.probability <= 1)) found("p is " + std::to_string(edge.probability));
-  std::vector<int> times(percept.surfaces.surfaces.size());
+  std::vector<int> times(percept.surfaces().surfaces.size());
   for (const Segment& segment : segmentation.segments)
     for (const int surface : segment.surfaces) ++times.at(std::size_t(surface));
   if (std::any_of(times.begin(), times.end(), [](int n) { return n != 1; }))

@@ -47,8 +47,8 @@ import gestalt
 
 scene = gestalt.read_scene(min(pathlib.Path("scenes").glob("*/depth.png")).parent)
 overrides = [f"model={pathlib.Path('own_relation/own_relation.json').resolve()}"]
-pipeline = gestalt.Pipeline("own_relation/config.yaml", overrides)
-result = pipeline(scene.colour, scene.depth, scene.camera)
+segmenter = gestalt.Segmenter("own_relation/config.yaml", overrides)
+result = segmenter(scene.colour, scene.depth, scene.camera)
 print(result, result.structural["names"])
 assert result.objects and len(result.structural["names"]) == result.structural["values"].shape[1]
 PYTHON

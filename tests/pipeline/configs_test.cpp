@@ -8,7 +8,7 @@
 #include <algorithm>
 #include <filesystem>
 
-#include "gestalt/core/pipeline/pipeline.h"
+#include "gestalt/core/pipeline/segmenter.h"
 
 namespace gestalt {
 namespace {
@@ -17,9 +17,8 @@ namespace fs = std::filesystem;
 using Names = std::vector<std::string>;
 
 Pipeline pipeline_of(const fs::path& file) {
-  const ConfigTree tree(file, {});
-  const Registry registry(plugin_search_path(tree.plugin_directories()));
-  return {tree.resolve(registry), registry};
+  const LoadedConfig loaded(ConfigTree(file, {}));
+  return {loaded.config, loaded.registry};
 }
 
 fs::path configs() { return default_config().parent_path(); }

@@ -7,7 +7,7 @@
 
 #include "cases.h"
 #include "gestalt/core/base/error.h"
-#include "gestalt/core/pipeline/pipeline.h"
+#include "gestalt/core/pipeline/segmenter.h"
 
 namespace gestalt::properties {
 namespace {
@@ -39,28 +39,25 @@ Registry with_every_pixel() {
   return registry;
 }
 
-struct Everything {
-  Registry registry = with_every_pixel();
-  Pipeline pipeline{
-      ConfigTree(default_config(), {"signal.clusterer=every_pixel", "structural.minimum_size=1"}).resolve(registry),
-      registry};
-};
+Segmenter every_pixel_segmenter() {
+  return Segmenter(LoadedConfig(
+      ConfigTree(default_config(), {"signal.clusterer=every_pixel", "structural.minimum_size=1"}), with_every_pixel()));
+}
 
 TEST(ManyPatches, ThatALabelImageHoldsAreSegmented) {
-  const Everything gestalt;
+  const Segmenter gestalt = every_pixel_segmenter();
   const Frame frame = lonely_pixels({257, 255});
   ASSERT_EQ(frame.depth.total(), 65'535u);
-  const Percept percept = gestalt.pipeline.perceive(frame);
-  EXPECT_EQ(percept.surfaces.surfaces.size(), 65'535u);
-  const Segmentation segmentation = gestalt.pipeline.decide(percept, gestalt.pipeline.load_models());
-  EXPECT_EQ(cv::countNonZero(segmentation.labels), 65'535);
+  const SegmentedFrame found = gestalt.segment(frame);
+  EXPECT_EQ(found.percept.surfaces().surfaces.size(), 65'535u);
+  EXPECT_EQ(cv::countNonZero(found.segmentation.labels), 65'535);
 }
 
 TEST(ManyPatches, ThatNoLabelImageHoldsAreRefused) {
-  const Everything gestalt;
-  const Percept percept = gestalt.pipeline.perceive(lonely_pixels({257, 256}));
+  const Segmenter gestalt = every_pixel_segmenter();
+  const Percept percept = gestalt.pipeline().perceive(lonely_pixels({257, 256}));
   try {
-    gestalt.pipeline.decide(percept, gestalt.pipeline.load_models());
+    gestalt.pipeline().decide(percept, gestalt.models());
     FAIL() << "65792 segments in a 16-bit image";
   } catch (const Error& error) {
     EXPECT_NE(std::string(error.what()).find("a 16-bit label image holds 65535"), std::string::npos) << error.what();

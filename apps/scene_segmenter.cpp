@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "segmenter.h"
+#include "scene_segmenter.h"
 
 #include <algorithm>
 
@@ -22,15 +22,13 @@ const std::vector<std::string> debug_names{"normals.png", "signal_patches.png", 
 std::string labelled_name(const std::string& kind) { return kind == "coco" ? "coco.json" : "labelled." + kind; }
 
 /// Pictures of what the levels below the segments found, by file name.
-std::vector<OutputFile> debug_images(const std::filesystem::path& folder, const Pipeline& pipeline, Frame frame,
-                                     const Percept& percept, const Graph& graph) {
-  frame.noise = pipeline.noise();
-  const Scene scene(frame, percept.patches, percept.surfaces);
-  return {{folder / "normals.png", encode_png(draw_normals(percept.patches.normals))},
-          {folder / "signal_patches.png", encode_png(draw_patches(percept.patches.labels))},
-          {folder / "surfaces.png", encode_png(draw_normals(surface_normals(frame, percept.surfaces)))},
-          {folder / "lines.png", encode_png(draw_boundary_lines(scene))},
-          {folder / "graph.png", encode_png(draw_graph(frame, percept.surfaces, graph))}};
+std::vector<OutputFile> debug_images(const std::filesystem::path& folder, const Percept& percept, const Graph& graph) {
+  const Frame& frame = percept.frame();
+  return {{folder / "normals.png", encode_png(draw_normals(percept.patches().normals))},
+          {folder / "signal_patches.png", encode_png(draw_patches(percept.patches().labels))},
+          {folder / "surfaces.png", encode_png(draw_normals(surface_normals(frame, percept.surfaces())))},
+          {folder / "lines.png", encode_png(draw_boundary_lines(*percept.scene))},
+          {folder / "graph.png", encode_png(draw_graph(frame, percept.surfaces(), graph))}};
 }
 
 /// Labels are those of labels.png; the instances of COCO are the objects.
@@ -66,42 +64,40 @@ void add_segmenter_options(CLI::App& command, SegmenterOptions& options) {
   add_pipeline_options(command, options.pipeline);
 }
 
-Segmenter::Segmenter(const SegmenterOptions& options)
+SceneSegmenter::SceneSegmenter(const SegmenterOptions& options)
     : output_(options.output),
       debug_images_(options.debug_images),
       also_(options.also.begin(), options.also.end()),
-      loaded_(load_config(options.pipeline)),
-      config_(loaded_.tree.to_json(loaded_.registry)),
-      pipeline_(loaded_.config, loaded_.registry),
-      models_(load_models(pipeline_)) {
+      segmenter_(load_segmenter(options.pipeline)),
+      config_(segmenter_.config_json()) {
   if (!options.camera.empty()) camera_ = read_camera(options.camera);
-  config_["identity"] = run_identity(config_, pipeline_.config().model, options.camera);
+  config_["identity"] = run_identity(config_, segmenter_.config().model, options.camera);
 }
 
-SegmentedScene Segmenter::segment(const std::filesystem::path& scene) const {
+SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene) const {
   const Input input = read_scene(scene, camera_);
-  std::optional<FrameWatch> watch(std::in_place, pipeline_.config().time_budget, scene.string());
-  const Percept percept = pipeline_.perceive(input.frame);
-  LevelTimes times = percept.times;
-  const Segmentation segmentation = pipeline_.decide(percept, models_, &times);
+  std::optional<FrameWatch> watch(std::in_place, segmenter_.config().time_budget, scene.string());
+  const SegmentedFrame found = segmenter_.segment(input.frame);
   watch.reset();
   const std::filesystem::path folder = folder_of(scene);
   refuse_link(folder);
   remove_abandoned(folder);
+  const Segmentation& segmentation = found.segmentation;
   std::vector<OutputFile> more;
-  if (debug_images_) more = debug_images(folder, pipeline_, input.frame, percept, segmentation.graph);
+  if (debug_images_) more = debug_images(folder, found.percept, segmentation.graph);
   for (const std::string& kind : also_) more.push_back(labelled_file(folder, kind, input.frame, segmentation));
-  write_result(folder, input, percept, segmentation, times, config_, std::move(more));
+  write_result(folder, input, found, config_, std::move(more));
   const auto objects = std::count_if(segmentation.segments.begin(), segmentation.segments.end(),
                                      [](const Segment& segment) { return segment.role == Role::object; });
-  return {folder, std::size_t(objects), segmentation.segments.size(), percept.surfaces.surfaces.size(), times.total()};
+  return {folder, std::size_t(objects), segmentation.segments.size(), found.percept.surfaces().surfaces.size(),
+          found.times.total()};
 }
 
-std::filesystem::path Segmenter::folder_of(const std::filesystem::path& scene) const {
+std::filesystem::path SceneSegmenter::folder_of(const std::filesystem::path& scene) const {
   return output_ / scene_name(scene);
 }
 
-bool Segmenter::has_segmented(const std::filesystem::path& scene) const {
+bool SceneSegmenter::has_segmented(const std::filesystem::path& scene) const {
   std::vector<std::string> wanted;
   if (debug_images_) wanted = debug_names;
   for (const std::string& kind : also_) wanted.push_back(labelled_name(kind));

@@ -8,7 +8,7 @@
 #include <optional>
 #include <set>
 
-#include "gestalt/core/pipeline/pipeline.h"
+#include "gestalt/core/pipeline/segmenter.h"
 #include "gestalt/io/scene/input.h"
 #include "pipeline_options.h"
 
@@ -34,10 +34,10 @@ struct SegmentedScene {
 };
 
 /// Segments scenes and writes their results, each into a folder of its own.
-class Segmenter {
+class SceneSegmenter {
  public:
   /// Loads config, plugins and model.
-  explicit Segmenter(const SegmenterOptions& options);
+  explicit SceneSegmenter(const SegmenterOptions& options);
 
   /// May be called from many threads, as all methods.
   SegmentedScene segment(const std::filesystem::path& scene) const;
@@ -52,10 +52,8 @@ class Segmenter {
   std::filesystem::path output_;
   bool debug_images_;
   std::set<std::string> also_;
-  LoadedConfig loaded_;
+  Segmenter segmenter_;
   nlohmann::json config_;  ///< as results tell it
-  Pipeline pipeline_;
-  Models models_;
   std::optional<CameraFile> camera_;
 };
 

@@ -21,8 +21,8 @@ class PipelineTest(unittest.TestCase):
     @classmethod
     def setUpClass(cls):
         cls.scene = gestalt.read_scene(demo)
-        cls.pipeline = gestalt.Pipeline()
-        cls.result = cls.pipeline(cls.scene.colour, cls.scene.depth, cls.scene.camera)
+        cls.segmenter = gestalt.Segmenter()
+        cls.result = cls.segmenter(cls.scene.colour, cls.scene.depth, cls.scene.camera)
 
     def test_gives_what_the_command_writes(self):
         with tempfile.TemporaryDirectory() as out:
@@ -39,7 +39,7 @@ class PipelineTest(unittest.TestCase):
     def test_saves_what_the_command_writes(self):
         with tempfile.TemporaryDirectory() as out:
             run("segment", demo, "--output", out)
-            self.pipeline.segment(demo).save(pathlib.Path(out, "saved"))
+            self.segmenter.segment(demo).save(pathlib.Path(out, "saved"))
             written = {file.name for file in pathlib.Path(out, demo.name).iterdir()}
             self.assertEqual({file.name for file in pathlib.Path(out, "saved").iterdir()}, written)
             for name in ("labels.png", "overlay.png", "patches.png"):
@@ -64,17 +64,17 @@ class PipelineTest(unittest.TestCase):
 
     def test_depth_in_millimetres_is_the_same_as_in_metres(self):
         millimetres = numpy.rint(self.scene.depth * 1000).astype(numpy.uint16)
-        result = self.pipeline(self.scene.colour, millimetres, self.scene.camera)
+        result = self.segmenter(self.scene.colour, millimetres, self.scene.camera)
         numpy.testing.assert_array_equal(result.labels, self.result.labels)
 
     def test_takes_views_and_double_precision(self):
         depth = numpy.zeros((480, 1280))
         depth[:, ::2] = numpy.where(self.scene.depth > 0, self.scene.depth, numpy.nan)
-        result = self.pipeline(self.scene.colour[:, ::-1][:, ::-1], depth[:, ::2], self.scene.camera)
+        result = self.segmenter(self.scene.colour[:, ::-1][:, ::-1], depth[:, ::2], self.scene.camera)
         numpy.testing.assert_array_equal(result.labels, self.result.labels)
 
     def test_images_cannot_be_written_and_outlive_the_result(self):
-        labels = self.pipeline.segment(demo).labels
+        labels = self.segmenter.segment(demo).labels
         with self.assertRaises(ValueError):
             labels[0, 0] = 1
         numpy.testing.assert_array_equal(labels, self.result.labels)
@@ -84,7 +84,7 @@ class PipelineTest(unittest.TestCase):
         results = [None] * 4
 
         def work(i):
-            results[i] = self.pipeline(self.scene.colour, self.scene.depth, self.scene.camera)
+            results[i] = self.segmenter(self.scene.colour, self.scene.depth, self.scene.camera)
 
         threads = [threading.Thread(target=work, args=(i,)) for i in range(4)]
         ticks = 0
@@ -98,7 +98,7 @@ class PipelineTest(unittest.TestCase):
             numpy.testing.assert_array_equal(result.labels, self.result.labels)
 
     def test_any_number_of_threads_gives_the_same(self):
-        result = gestalt.Pipeline(threads=1).segment(demo)
+        result = gestalt.Segmenter(threads=1).segment(demo)
         numpy.testing.assert_array_equal(result.labels, self.result.labels)
         numpy.testing.assert_array_equal(result.structural["values"], self.result.structural["values"])
 
@@ -113,25 +113,25 @@ class PipelineTest(unittest.TestCase):
             ((None, depth, camera), "colour"),
         ):
             with self.subTest(text), self.assertRaises(gestalt.InputError) as raised:
-                self.pipeline(*arguments)
+                self.segmenter(*arguments)
             self.assertIn(text, str(raised.exception))
 
     def test_errors_have_their_class(self):
         with self.assertRaisesRegex(gestalt.ConfigError, "did you mean 'gabor'"):
-            gestalt.Pipeline(overrides=["structural.relations.gabr=on"])
+            gestalt.Segmenter(overrides=["structural.relations.gabr=on"])
         with self.assertRaisesRegex(gestalt.ModelError, "no_such.json"):
-            gestalt.Pipeline(overrides=["model=no_such.json"])
+            gestalt.Segmenter(overrides=["model=no_such.json"])
         with self.assertRaisesRegex(gestalt.InputError, "no_such_scene"):
-            self.pipeline.segment("no_such_scene")
+            self.segmenter.segment("no_such_scene")
         with self.assertRaisesRegex(gestalt.TimeError, "time_budget of 1 ms"):
-            gestalt.Pipeline(overrides=["time_budget=1"]).segment(demo)
+            gestalt.Segmenter(overrides=["time_budget=1"]).segment(demo)
         with self.assertRaises(gestalt.OutputError):
             self.result.save("/dev/null/folder")
         self.assertTrue(issubclass(gestalt.InputError, gestalt.Error))
 
     def test_a_model_of_other_parameters_is_warned_of(self):
         with self.assertWarnsRegex(UserWarning, "was trained with other parameters"):
-            gestalt.Pipeline(overrides=["primitive.model_selection.sigma=3"])
+            gestalt.Segmenter(overrides=["primitive.model_selection.sigma=3"])
 
     def test_a_camera_can_be_pickled(self):
         self.assertEqual(repr(pickle.loads(pickle.dumps(self.scene.camera))), repr(self.scene.camera))
@@ -143,7 +143,7 @@ class PipelineTest(unittest.TestCase):
             trained = gestalt.train(scenes, model)
             self.assertEqual(trained["structural"]["scenes"], 4)
             self.assertGreater(trained["structural"]["positive_pairs"], 0)
-            ours = gestalt.Pipeline(overrides=[f"model={model}"])
+            ours = gestalt.Segmenter(overrides=[f"model={model}"])
             told = json.loads(run("evaluate", scenes, "--set", f"model={model}", "--json"))
             scores = ours.evaluate(scenes)
             self.assertEqual(set(scores), set(told))

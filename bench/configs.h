@@ -1,0 +1,20 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <string>
+#include <vector>
+
+#include "gestalt/core/pipeline/segmenter.h"
+
+namespace gestalt::bench {
+
+/// The file of a config that comes with Gestalt, by its name without extension.
+std::filesystem::path bundled_config(const std::string& name);
+
+/// The names of the configs whose times are told: the default, the one for real time, the paper's; those of them that
+/// this installation has.
+std::vector<std::string> measured_configs();
+
+}  // namespace gestalt::bench
