@@ -48,7 +48,7 @@ set(CPACK_COMPONENT_RUNTIME_DESCRIPTION "Segments unknown objects in RGB-D frame
 set(CPACK_DEBIAN_DEV_PACKAGE_NAME libgestalt-dev)
 set(CPACK_DEBIAN_DEV_PACKAGE_SECTION libdevel)
 set(CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "gestalt ${same_version}, libeigen3-dev (>= 3.4), nlohmann-json3-dev (>= 3.11),
-  libopencv-core-dev, libopencv-imgproc-dev, cmake (>= 3.25)")
+  libopencv-core-dev, libopencv-imgproc-dev, cmake (>= 3.22)")
 string(REGEX REPLACE "\n *" " " CPACK_DEBIAN_DEV_PACKAGE_DEPENDS "${CPACK_DEBIAN_DEV_PACKAGE_DEPENDS}")
 set(CPACK_DEBIAN_DEV_PACKAGE_RECOMMENDS "libgtest-dev")
 set(CPACK_COMPONENT_DEV_DESCRIPTION "Gestalt for other programs and for plugins

@@ -30,14 +30,23 @@ def cmake(*words):
     subprocess.run(["cmake", *map(str, words)], check=True, stdout=sys.stderr)
 
 
-def install(build, prefix):
-    """Builds what the package needs and installs it, with the modules of this interpreter."""
-    configure = ["-S", SOURCE, "-B", build, f"-DPython_EXECUTABLE={os.path.realpath(sys.executable)}"]
+TARGETS = ("config_schema", "gestalt_python")  # the schema is made by the command with all plugins
+COMPONENTS = ("runtime", "python")
+
+
+def configure(build):
+    """A build tree with the modules of this interpreter."""
+    options = ["-S", SOURCE, "-B", build, "-DGESTALT_PYTHON=ON", f"-DPython_EXECUTABLE={os.path.realpath(sys.executable)}"]
     if not (build / "CMakeCache.txt").exists():
-        configure += ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DBUILD_TESTING=OFF"]
-    cmake(*configure)
-    cmake("--build", build, "--target", "gestalt", "gestalt_python")
-    for component in ("runtime", "python"):
+        options += ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"]
+    cmake(*options)
+
+
+def install(build, prefix):
+    """Builds what the package needs and installs it."""
+    configure(build)
+    cmake("--build", build, "--target", *TARGETS)
+    for component in COMPONENTS:
         cmake("--install", build, "--prefix", prefix, "--component", component)
 
 

@@ -4,6 +4,7 @@
 
 import os
 import pathlib
+import re
 import subprocess
 import sys
 import tempfile
@@ -20,6 +21,28 @@ print(len(gestalt.Segmenter().segment(sys.argv[2]).objects))
 
 
 class InstallTest(unittest.TestCase):
+    def test_a_clean_clone_builds_all_that_is_installed(self):
+        source = os.environ["GESTALT_SOURCE"]
+        sys.path.insert(0, os.path.join(source, "python"))
+        import build_backend  # noqa: PLC0415
+
+        with tempfile.TemporaryDirectory() as work:
+            build = pathlib.Path(os.path.realpath(work), "build")
+            build_backend.configure(build)
+            commands = subprocess.run(["ninja", "-C", build, "-t", "commands", *build_backend.TARGETS], check=True, text=True,
+                                      stdout=subprocess.PIPE).stdout
+            installed = set()
+            for script in build.rglob("cmake_install.cmake"):
+                for block in re.split(r"^if\(", script.read_text(), flags=re.MULTILINE):
+                    component = re.search(r'CMAKE_INSTALL_COMPONENT STREQUAL "(\w+)"', block)
+                    if component and component[1] in build_backend.COMPONENTS:
+                        installed |= set(re.findall(rf'"({re.escape(str(build))}/[^"]+\.(?:so|json)[^"]*|{build}/bin/[^"]+)"', block))
+            plugins = [file for file in installed if "/plugins/" in file]
+            self.assertGreater(len(plugins), 25, installed)
+            self.assertIn(str(build / "bin" / "gestalt"), installed)
+            names = {str(pathlib.Path(file).relative_to(build)) for file in installed}
+            self.assertEqual({name for name in names if name not in commands}, set())
+
     def test_pip_installs_it(self):
         clean = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "GESTALT_PLUGIN_PATH")}
         source = os.environ["GESTALT_SOURCE"]
