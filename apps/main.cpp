@@ -50,22 +50,7 @@ int run_command(int argc, char** argv) {
       "Example: gestalt segment examples/demo_scene --output out\n"
       "Exit codes: 0 success, 1 the run failed, 2 wrong usage or config, 3 unusable input.");
   Run run;
-  add_segment(app, run);
-  add_stream(app, run);
-  add_train(app, run);
-  add_evaluate(app, run);
-  add_ablate(app, run);
-  add_reproduce(app, run);
-  add_synthesize(app, run);
-  add_convert(app, run);
-  add_new_plugin(app, run);
-  add_plugins(app, run);
-  add_config(app, run);
-  add_export(app, run);
-  add_inspect(app, run);
-  add_info(app, run);
-  add_calibrate_noise(app, run);
-  add_completion(app, run);
+  Subcommand::add_all(app, run);
   try {
     if (argc > 1) require_known(app, argv[1]);
     app.parse(argc, argv);

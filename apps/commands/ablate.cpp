@@ -103,8 +103,6 @@ int ablate(const Options& options) {
   return exit_code(outcomes);
 }
 
-}  // namespace
-
 void add_ablate(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("ablate", "Train and evaluate many variants of a config and compare them");
@@ -157,5 +155,9 @@ void add_ablate(CLI::App& app, Run& run) {
       "         gestalt ablate learn --test test --grid structural.minimum_size=20,30,60 --output sizes");
   command->callback([options, &run] { run = [options] { return ablate(*options); }; });
 }
+
+const Subcommand subcommand(50, add_ablate);
+
+}  // namespace
 
 }  // namespace gestalt::app

@@ -77,8 +77,6 @@ int calibrate(const Options& options) {
   return success;
 }
 
-}  // namespace
-
 void add_calibrate_noise(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
@@ -92,5 +90,9 @@ void add_calibrate_noise(CLI::App& app, Run& run) {
   command->footer("Example: gestalt calibrate-noise scenes >> my_config.yaml");
   command->callback([options, &run] { run = [options] { return calibrate(*options); }; });
 }
+
+const Subcommand subcommand(150, add_calibrate_noise);
+
+}  // namespace
 
 }  // namespace gestalt::app

@@ -17,22 +17,17 @@ inline const CLI::Validator not_empty([](std::string& name) { return std::string
 
 enum Exit { success = 0, run_failed = 1, wrong_usage = 2, unusable_input = 3 };
 
-// Each adds its subcommand to the command line and, when it is chosen, sets run. One file each.
-void add_segment(CLI::App& app, Run& run);
-void add_stream(CLI::App& app, Run& run);
-void add_train(CLI::App& app, Run& run);
-void add_evaluate(CLI::App& app, Run& run);
-void add_synthesize(CLI::App& app, Run& run);
-void add_convert(CLI::App& app, Run& run);
-void add_ablate(CLI::App& app, Run& run);
-void add_reproduce(CLI::App& app, Run& run);
-void add_new_plugin(CLI::App& app, Run& run);
-void add_plugins(CLI::App& app, Run& run);
-void add_config(CLI::App& app, Run& run);
-void add_export(CLI::App& app, Run& run);
-void add_inspect(CLI::App& app, Run& run);
-void add_info(CLI::App& app, Run& run);
-void add_calibrate_noise(CLI::App& app, Run& run);
-void add_completion(CLI::App& app, Run& run);
+/// A subcommand of gestalt: each file of this folder makes one, and so puts it on the command line.
+class Subcommand {
+ public:
+  /// Adds it to the command line; when it is chosen, sets the run.
+  using Add = void (*)(CLI::App& app, Run& run);
+
+  /// place: in the list of `gestalt --help`, ascending.
+  Subcommand(int place, Add add);
+
+  /// Adds all of them.
+  static void add_all(CLI::App& app, Run& run);
+};
 
 }  // namespace gestalt::app

@@ -88,8 +88,6 @@ int print_script(const CLI::App& root, const std::string& shell) {
   return success;
 }
 
-}  // namespace
-
 void add_completion(CLI::App& app, Run& run) {
   const auto shell = std::make_shared<std::string>();
   CLI::App* command = app.add_subcommand("completion", "Print a script that completes gestalt's words in a shell");
@@ -102,5 +100,9 @@ void add_completion(CLI::App& app, Run& run) {
       "         for fish: gestalt completion fish > ~/.config/fish/completions/gestalt.fish");
   command->callback([&app, shell, &run] { run = [&app, shell] { return print_script(app, *shell); }; });
 }
+
+const Subcommand subcommand(160, add_completion);
+
+}  // namespace
 
 }  // namespace gestalt::app

@@ -62,8 +62,6 @@ int schema(const Options& options) {
   return success;
 }
 
-}  // namespace
-
 void add_config(CLI::App& app, Run& run) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("config", "Check a config, print it resolved, or print the schema of all");
@@ -90,5 +88,9 @@ void add_config(CLI::App& app, Run& run) {
   schema_command->footer("Example: gestalt config schema > config.schema.json");
   schema_command->callback([options, &run] { run = [options] { return schema(*options); }; });
 }
+
+const Subcommand subcommand(110, add_config);
+
+}  // namespace
 
 }  // namespace gestalt::app

@@ -155,8 +155,6 @@ int convert(Options options) {
   return code;
 }
 
-}  // namespace
-
 void add_convert(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("convert", "Turn data of other layouts into scenes, and scenes into files");
@@ -206,5 +204,9 @@ void add_convert(CLI::App& app, Run& run) {
     run = [options] { return convert(*options); };
   });
 }
+
+const Subcommand subcommand(80, add_convert);
+
+}  // namespace
 
 }  // namespace gestalt::app

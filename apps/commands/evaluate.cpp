@@ -221,8 +221,6 @@ int evaluate(const Options& options) {
   return options.folds > 0 ? cross_validate(options) : score_model(options);
 }
 
-}  // namespace
-
 void add_evaluate(CLI::App& app, Run& run) {
   auto options = std::make_shared<Options>();
   CLI::App& command = *app.add_subcommand(
@@ -271,5 +269,9 @@ void add_evaluate(CLI::App& app, Run& run) {
   command.add_flag("--json", options->json, "Print every value as a fraction, for programs");
   command.callback([options, &run] { run = [options] { return evaluate(*options); }; });
 }
+
+const Subcommand subcommand(40, add_evaluate);
+
+}  // namespace
 
 }  // namespace gestalt::app

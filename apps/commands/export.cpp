@@ -164,8 +164,6 @@ int export_surfaces(const Options& options) {
   return success;
 }
 
-}  // namespace
-
 void add_export(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command =
@@ -187,5 +185,9 @@ void add_export(CLI::App& app, Run& run) {
   command->footer("Example: gestalt export out/demo_scene/result.json --format ply --output demo.ply");
   command->callback([options, &run] { run = [options] { return export_surfaces(*options); }; });
 }
+
+const Subcommand subcommand(120, add_export);
+
+}  // namespace
 
 }  // namespace gestalt::app

@@ -206,8 +206,6 @@ void print(const Description& description, const std::string& indent) {
   }
 }
 
-}  // namespace
-
 void add_info(CLI::App& app, Run& run) {
   struct Options {
     fs::path file, camera;
@@ -232,5 +230,9 @@ void add_info(CLI::App& app, Run& run) {
     };
   });
 }
+
+const Subcommand subcommand(140, add_info);
+
+}  // namespace
 
 }  // namespace gestalt::app

@@ -108,8 +108,6 @@ int inspect(const Options& options) {
   return success;
 }
 
-}  // namespace
-
 void add_inspect(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
@@ -130,5 +128,9 @@ void add_inspect(CLI::App& app, Run& run) {
   command->footer("Example: gestalt inspect out/demo_scene --output demo.html");
   command->callback([options, &run] { run = [options] { return inspect(*options); }; });
 }
+
+const Subcommand subcommand(130, add_inspect);
+
+}  // namespace
 
 }  // namespace gestalt::app

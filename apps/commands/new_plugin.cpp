@@ -114,8 +114,6 @@ int write_project(const Options& options) {
   return success;
 }
 
-}  // namespace
-
 void add_new_plugin(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command =
@@ -129,5 +127,9 @@ void add_new_plugin(CLI::App& app, Run& run) {
     run = [options] { return write_project(*options); };
   });
 }
+
+const Subcommand subcommand(90, add_new_plugin);
+
+}  // namespace
 
 }  // namespace gestalt::app

@@ -184,8 +184,6 @@ void add_options(CLI::App& command, Options& options) {
   command.add_flag("--json", options.json, "Print as JSON");
 }
 
-}  // namespace
-
 void add_plugins(CLI::App& app, Run& run) {
   auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("plugins", "List or describe the components that plugins offer");
@@ -207,5 +205,9 @@ void add_plugins(CLI::App& app, Run& run) {
   describe_command->footer("Example: gestalt plugins describe gabor");
   describe_command->callback([options, &run] { run = [options] { return describe(*options); }; });
 }
+
+const Subcommand subcommand(100, add_plugins);
+
+}  // namespace
 
 }  // namespace gestalt::app

@@ -88,8 +88,6 @@ int reproduce(const Options& options) {
   return exit_code(outcomes);
 }
 
-}  // namespace
-
 void add_reproduce(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
@@ -131,5 +129,9 @@ void add_reproduce(CLI::App& app, Run& run) {
   command->footer("Example: gestalt reproduce osd --output report --also-test others=labelled --peer LCCP=lccp");
   command->callback([options, &run] { run = [options] { return reproduce(*options); }; });
 }
+
+const Subcommand subcommand(60, add_reproduce);
+
+}  // namespace
 
 }  // namespace gestalt::app

@@ -59,8 +59,6 @@ int segment(const Options& options) {
   return std::max(code, viewer->show(results));
 }
 
-}  // namespace
-
 void add_segment(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("segment", "Segment scenes into objects");
@@ -80,5 +78,9 @@ void add_segment(CLI::App& app, Run& run) {
       "         gestalt segment examples/demo_scene --view");
   command->callback([options, &run] { run = [options] { return segment(*options); }; });
 }
+
+const Subcommand subcommand(10, add_segment);
+
+}  // namespace
 
 }  // namespace gestalt::app

@@ -124,8 +124,6 @@ int stream(const Options& options) {
   return summary.any_failed() ? run_failed : success;
 }
 
-}  // namespace
-
 void add_stream(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("stream", "Segment frames as they come, from a camera's driver for instance");
@@ -152,5 +150,9 @@ void add_stream(CLI::App& app, Run& run) {
       "Example: my_driver | gestalt stream - --drop --output out");
   command->callback([options, &run] { run = [options] { return stream(*options); }; });
 }
+
+const Subcommand subcommand(20, add_stream);
+
+}  // namespace
 
 }  // namespace gestalt::app

@@ -57,8 +57,6 @@ int synthesize_scenes(const SynthesizeOptions& options) {
   return success;
 }
 
-}  // namespace
-
 void add_synthesize(CLI::App& app, Run& run) {
   CLI::App& command =
       *app.add_subcommand("synthesize", "Makes labelled scenes of things on a table, as a Kinect sees them");
@@ -87,5 +85,9 @@ void add_synthesize(CLI::App& app, Run& run) {
       ->check(CLI::Range(0, 1024));
   command.callback([options, &run] { run = [options] { return synthesize_scenes(*options); }; });
 }
+
+const Subcommand subcommand(70, add_synthesize);
+
+}  // namespace
 
 }  // namespace gestalt::app

@@ -62,8 +62,6 @@ int train(const Options& options) {
   return success;
 }
 
-}  // namespace
-
 void add_train(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("train", "Learn from scenes with ground truth which patches belong together");
@@ -80,5 +78,9 @@ void add_train(CLI::App& app, Run& run) {
       "Use it:  gestalt segment INPUT --set model=models/mine.json");
   command->callback([options, &run] { run = [options] { return train(*options); }; });
 }
+
+const Subcommand subcommand(30, add_train);
+
+}  // namespace
 
 }  // namespace gestalt::app

@@ -4,6 +4,7 @@
 #include "gestalt/core/pipeline/model.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"

@@ -9,6 +9,7 @@
 #include <cmath>
 #include <fstream>
 #include <limits>
+#include <nlohmann/json.hpp>
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"

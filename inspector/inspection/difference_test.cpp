@@ -4,6 +4,7 @@
 #include "difference.h"
 
 #include <gtest/gtest.h>
+#include <nlohmann/json.hpp>
 
 namespace gestalt {
 namespace {
