@@ -9,6 +9,7 @@
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/scene/converted_scene.h"
+#include "most_pixels.h"
 #include "npz_file.h"
 
 namespace gestalt {
@@ -21,7 +22,6 @@ using Arrays = std::map<std::string, NpyArray>;
 using Shape = std::vector<std::size_t>;
 
 const std::array<std::string, 5> names{"depth", "rgb", "label", "K", "depth_scale"};
-constexpr std::size_t most_pixels = std::size_t{1} << 26;
 
 std::string text(const Shape& shape) {
   std::string all;
@@ -36,7 +36,7 @@ class Scene {
     const NpyArray* depth = find("depth");
     if (!depth)
       throw InputError(file.string() + ": has no array 'depth'; write numpy.savez_compressed(file, depth=, rgb=, K=)");
-    if (depth->shape.size() != 2 || depth->count() == 0 || depth->count() > most_pixels)
+    if (depth->shape.size() != 2 || depth->count() == 0 || depth->count() > std::size_t{most_pixels})
       fail("depth", "has the shape " + text(depth->shape) + "; it must be (height, width), up to 2^26 pixels");
     size_ = cv::Size(int(depth->shape[1]), int(depth->shape[0]));
   }

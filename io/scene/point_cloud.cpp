@@ -263,4 +263,28 @@ PointCloud read_point_cloud(const fs::path& file) {
   return result;
 }
 
+std::string encode_pcd(const PointCloud& cloud) {
+  std::string fields = "x y z", sizes = "4 4 4", types = "F F F", counts = "1 1 1";
+  const auto field = [&](const char* name) {
+    fields += std::string(" ") + name;
+    sizes += " 4", types += " U", counts += " 1";
+  };
+  if (!cloud.colours.empty()) field("rgb");
+  if (!cloud.labels.empty()) field("label");
+  std::string bytes = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS " + fields + "\nSIZE " + sizes +
+                      "\nTYPE " + types + "\nCOUNT " + counts + "\nWIDTH " + std::to_string(cloud.width) + "\nHEIGHT " +
+                      std::to_string(cloud.height) + "\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " +
+                      std::to_string(cloud.points.size()) + "\nDATA binary\n";
+  const auto append = [&](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    append(cloud.points[i]);
+    if (!cloud.colours.empty()) {
+      const cv::Vec3b& colour = cloud.colours[i];
+      append(std::uint32_t(colour[2]) << 16 | std::uint32_t(colour[1]) << 8 | std::uint32_t(colour[0]));
+    }
+    if (!cloud.labels.empty()) append(std::uint32_t(cloud.labels[i]));
+  }
+  return bytes;
+}
+
 }  // namespace gestalt

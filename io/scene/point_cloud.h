@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <opencv2/core.hpp>
+#include <string>
 #include <vector>
 
 namespace gestalt {
@@ -26,5 +27,8 @@ struct PointCloud {
 /// Throws InputError naming the file, the place and the remedy. Not by PCL, which trusts the header and reports damage
 /// on stderr, and whose library of files brings sixty others with it.
 PointCloud read_point_cloud(const std::filesystem::path& file);
+
+/// A PCD file (0.7, binary): x y z, rgb where there are colours, label (U 4) where there are labels.
+std::string encode_pcd(const PointCloud& cloud);
 
 }  // namespace gestalt
