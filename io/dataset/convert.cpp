@@ -111,16 +111,6 @@ ConvertedScene read_osd_scene(const fs::path& release, const std::string& name,
   return scene;
 }
 
-ConvertedScene converted(const Input& input) {
-  ConvertedScene scene;
-  scene.camera = input.frame.camera;
-  scene.images.colour = input.frame.colour;
-  scene.images.depth = depth_in_millimetres(input.frame);
-  scene.images.label = input.ground_truth;
-  if (!scene.images.label.empty()) scene.objects = count_objects(scene.images.label);
-  return scene;
-}
-
 ConvertedScene read_labelled_cloud(const fs::path& file, LabelKind labels, const std::optional<CameraFile>& camera) {
   const Input input = read_scene(file, camera);
   if (input.ground_truth.empty())

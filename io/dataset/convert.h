@@ -82,10 +82,6 @@ GESTALT_EXPORT std::vector<OcidFrame> find_ocid_frames(const std::filesystem::pa
 GESTALT_EXPORT ConvertedScene read_ocid_frame(const OcidFrame& frame,
                                               const std::optional<CameraFile>& camera = std::nullopt);
 
-/// Any scene that read_scene() reads, ready to be written; depth in millimetres. Throws InputError for a depth beyond
-/// 65.535 m.
-GESTALT_EXPORT ConvertedScene converted(const Input& input);
-
 /// Labels of ours (1 background, 20 the first object, 30 the second, ...) for those that count objects; 0 where depth
 /// is 0. Images of one size. Throws InputError for more than 6552 objects, our labels are of 16 bits.
 GESTALT_EXPORT cv::Mat_<std::uint16_t> labels_of_objects(const cv::Mat_<std::uint16_t>& objects,

@@ -8,8 +8,6 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "gestalt/io/scene/converted_scene.h"
-#include "gestalt/io/scene/input.h"
 #include "point_cloud.h"
 
 namespace gestalt {
@@ -56,10 +54,6 @@ Json annotation_of(int label, const Instance& instance, cv::Size size) {
       {"area", instance.area},
       {"bbox", {instance.left, instance.top, instance.right - instance.left + 1, instance.bottom - instance.top + 1}},
       {"segmentation", {{"size", {size.height, size.width}}, {"counts", runs}}}};
-}
-
-Frame frame_of(const ConvertedScene& scene) {
-  return make_frame("", scene.images.colour, depth_in_metres(scene.images.depth, scene.depth_scale), scene.camera);
 }
 
 }  // namespace
@@ -111,9 +105,5 @@ Json coco_instances(const Labels& labels, const std::string& file_name) {
           {"categories", Json::array({category})},
           {"annotations", std::move(annotations)}};
 }
-
-std::string pcd_scene(const ConvertedScene& scene) { return encode_pcd(frame_of(scene), scene.images.label); }
-
-std::string ply_scene(const ConvertedScene& scene) { return encode_ply(frame_of(scene), scene.images.label); }
 
 }  // namespace gestalt

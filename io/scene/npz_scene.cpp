@@ -8,7 +8,6 @@
 #include <cstring>
 
 #include "gestalt/core/base/error.h"
-#include "gestalt/io/scene/converted_scene.h"
 #include "most_pixels.h"
 #include "npz_file.h"
 
@@ -132,7 +131,7 @@ Input read_npz_scene(const fs::path& file, const std::optional<CameraFile>& came
   return input;
 }
 
-std::string npz_scene(const ConvertedScene& scene) {
+std::string encode_npz_scene(const ConvertedScene& scene) {
   const SceneImages& images = scene.images;
   const std::size_t rows = std::size_t(images.depth.rows), columns = std::size_t(images.depth.cols);
   const Camera& c = scene.camera;

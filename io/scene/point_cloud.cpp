@@ -16,7 +16,6 @@
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
 #include "gestalt/io/scene/pcd_header.h"
-#include "gestalt/io/scene/scene_path.h"
 #include "ply_header.h"
 
 namespace gestalt {
@@ -242,17 +241,7 @@ void take_labels(const fs::path& file, const PcdHeader& header, const std::strin
   }
 }
 
-}  // namespace
-
-bool PointCloud::visible(std::size_t i) const {
-  const cv::Vec3f& p = points[i];
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]) && p[2] > 0;
-}
-
-PointCloud read_point_cloud(const fs::path& file) {
-  const std::string bytes = read_bytes(file, largest_cloud_file);
-  const PcdHeader header =
-      lower_extension(file) == ".ply" ? parse_ply_header(file, bytes) : parse_pcd_header(file, bytes);
+PointCloud read_points(const fs::path& file, const PcdHeader& header, std::string_view bytes) {
   const std::string points = read_body(file, header, bytes);
   PointCloud result;
   result.width = header.width;
@@ -261,6 +250,23 @@ PointCloud read_point_cloud(const fs::path& file) {
   take_colours(file, header, points, result);
   take_labels(file, header, points, result);
   return result;
+}
+
+}  // namespace
+
+bool PointCloud::visible(std::size_t i) const {
+  const cv::Vec3f& p = points[i];
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]) && p[2] > 0;
+}
+
+PointCloud read_pcd(const fs::path& file) {
+  const std::string bytes = read_bytes(file, largest_cloud_file);
+  return read_points(file, parse_pcd_header(file, bytes), bytes);
+}
+
+PointCloud read_ply(const fs::path& file) {
+  const std::string bytes = read_bytes(file, largest_cloud_file);
+  return read_points(file, parse_ply_header(file, bytes), bytes);
 }
 
 std::string encode_pcd(const PointCloud& cloud) {
