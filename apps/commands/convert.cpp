@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gestalt/io/dataset/convert.h"
-
 #include <map>
 #include <memory>
 #include <mutex>
@@ -13,6 +11,11 @@
 #include "gestalt/apps/scene_batch.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/output_file.h"
+#include "gestalt/io/dataset/bop_scene.h"
+#include "gestalt/io/dataset/labelled_cloud.h"
+#include "gestalt/io/dataset/ocid_sequence.h"
+#include "gestalt/io/dataset/osd_release.h"
+#include "gestalt/io/dataset/tum_sequence.h"
 #include "gestalt/io/scene/scene_format.h"
 
 namespace gestalt::app {

@@ -93,8 +93,8 @@ class HeaderReader {
     for (std::size_t i = 1; i < line_.size(); ++i) {
       const auto size = number(line_[i]);
       if (size != 1u && size != 2u && size != 4u && size != 8u)
-        line_.fail("size " + shown(line_[i]) + " of field '" + header_.fields[i - 1].name +
-                   "' must be 1, 2, 4 or 8 bytes");
+        line_.fail("size " + shown(line_[i]) + " of field " + shown(header_.fields[i - 1].name) +
+                   " must be 1, 2, 4 or 8 bytes");
       header_.fields[i - 1].size = int(*size);
     }
     line_.next();
@@ -106,8 +106,8 @@ class HeaderReader {
       PcdHeader::Field& field = header_.fields[i - 1];
       const bool known = line_[i] == "I" || line_[i] == "U" || (line_[i] == "F" && field.size >= 4);
       if (!known)
-        line_.fail("type " + shown(line_[i]) + " of field '" + field.name + "' with " + std::to_string(field.size) +
-                   " bytes must be I, U, or F with 4 or 8 bytes");
+        line_.fail("type " + shown(line_[i]) + " of field " + shown(field.name) + " with " +
+                   std::to_string(field.size) + " bytes must be I, U, or F with 4 or 8 bytes");
       field.type = line_[i][0];
     }
     line_.next();
@@ -119,8 +119,8 @@ class HeaderReader {
     for (std::size_t i = 1; i < line_.size(); ++i) {
       const auto count = number(line_[i]);
       if (!count || *count < 1 || *count > most)
-        line_.fail("count " + shown(line_[i]) + " of field '" + header_.fields[i - 1].name +
-                   "' must be from 1 to 65536");
+        line_.fail("count " + shown(line_[i]) + " of field " + shown(header_.fields[i - 1].name) +
+                   " must be from 1 to 65536");
       header_.fields[i - 1].count = *count;
     }
     line_.next();

@@ -16,6 +16,7 @@
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
 #include "gestalt/io/scene/pcd_header.h"
+#include "header_line.h"
 #include "ply_header.h"
 
 namespace gestalt {
@@ -79,13 +80,13 @@ std::string read_ascii(const fs::path& file, const PcdHeader& header, std::strin
     std::size_t word_at = line.find_first_not_of(blank);
     for (const PcdHeader::Field& field : header.fields)
       for (std::size_t i = 0; i < field.count; ++i) {
-        if (word_at == line.npos) wrong("the row ends before field '" + field.name + "'");
+        if (word_at == line.npos) wrong("the row ends before field " + shown(field.name));
         const std::size_t word_end = std::min(line.find_first_of(blank, word_at), line.size());
         const std::string_view word = line.substr(word_at, word_end - word_at);
         if (field.name == "_")
           points.append(std::size_t(field.size), '\0');
         else if (!append_value(word, field, points))
-          wrong("'" + std::string(word.substr(0, 40)) + "' is no value of field '" + field.name + "' (" + field.type +
+          wrong(shown(word) + " is no value of field " + shown(field.name) + " (" + field.type +
                 std::to_string(field.size) + ")");
         word_at = line.find_first_not_of(blank, word_end);
       }
