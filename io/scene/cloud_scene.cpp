@@ -44,7 +44,7 @@ void check_fit(const CameraFile& found, const fs::path& file, const PointCloud& 
   const double error = median_reprojection_error(cloud, found.camera);
   if (error > largest_reprojection_error)
     throw InputError(found.file.string() + ": does not describe " + file.string() + ", whose points it sees " +
-                     std::to_string(int(error + 0.5)) +
+                     std::to_string(std::lround(error)) +
                      " px (median) from where they are stored; put the right camera.yaml beside the cloud or give "
                      "--camera");
 }

@@ -264,7 +264,8 @@ TEST(Info, TellsEachFormatOfScenes) {
     }
   }
   const Outcome wrong = run_gestalt({"convert", synthetic_scene(), "--to", "zip", "--output", folder.path() / "zip"});
-  for (const SceneFormat& format : scene_formats()) expect_refused(wrong, 2, {format.name});
+  EXPECT_EQ(wrong.code, 2);
+  for (const SceneFormat& format : scene_formats()) EXPECT_GT(occurrences(format.name, wrong.err), 0) << wrong.err;
 }
 
 }  // namespace
