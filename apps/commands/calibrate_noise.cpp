@@ -13,6 +13,7 @@
 #include "command.h"
 #include "gestalt/evaluation/calibration/noise_calibration.h"
 #include "gestalt/io/scene/input.h"
+#include "gestalt/io/scene/scene_format.h"
 
 namespace gestalt::app {
 
@@ -82,7 +83,9 @@ void add_calibrate_noise(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand(
       "calibrate-noise",
       "Estimate the noise of a depth sensor from planes in its scenes, as section sensor of a config");
-  command->add_option("SCENES", options->scenes, "Scene folders, PCD files, or folders of those, of one sensor")
+  command
+      ->add_option("SCENES", options->scenes,
+                   "Scene folders, files (" + scene_extensions(", ") + "), or folders of those, of one sensor")
       ->required();
   command->add_option("--camera", options->camera, "Intrinsics to use instead of the scene's camera.yaml")
       ->type_name("FILE");

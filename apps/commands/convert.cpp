@@ -1,8 +1,6 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gestalt/io/dataset/convert.h"
-
 #include <map>
 #include <memory>
 #include <mutex>
@@ -13,7 +11,12 @@
 #include "gestalt/apps/scene_batch.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/output_file.h"
-#include "gestalt/io/scene/scene_path.h"
+#include "gestalt/io/dataset/bop_scene.h"
+#include "gestalt/io/dataset/labelled_cloud.h"
+#include "gestalt/io/dataset/ocid_sequence.h"
+#include "gestalt/io/dataset/osd_release.h"
+#include "gestalt/io/dataset/tum_sequence.h"
+#include "gestalt/io/scene/scene_format.h"
 
 namespace gestalt::app {
 
@@ -24,7 +27,7 @@ namespace fs = std::filesystem;
 struct Options {
   fs::path input;
   std::string from;          ///< empty: guessed
-  std::string to = "scene";  ///< or the extension of a file
+  std::string to = "scene";  ///< one of scene_formats()
   std::string labels;        ///< empty: parts
   fs::path output;
   fs::path camera;
@@ -66,11 +69,11 @@ std::vector<SourceScene> ocid_scenes(const Options& options, const std::optional
   return scenes;
 }
 
-/// Files of one kind (pcd, ply, npz), or scene folders, as read_scene() reads them.
+/// Scenes of one of scene_formats().
 std::vector<SourceScene> own_scenes(const Options& options, const std::optional<CameraFile>& camera) {
   std::vector<SourceScene> scenes;
   for (const fs::path& path : find_scenes({options.input})) {
-    const std::string kind = fs::is_directory(path) ? "scene" : lower_extension(path).substr(1);
+    const std::string kind = scene_format_of(path)->name;
     if (kind != options.from)
       throw InputError(path.string() + ": is " + (kind == "scene" ? "a scene folder already" : "no " + options.from) +
                        "; give only what --from says");
@@ -88,16 +91,11 @@ std::vector<SourceScene> own_scenes(const Options& options, const std::optional<
 std::string guess(const fs::path& input) {
   std::error_code error;
   const auto has = [&](const char* name) { return fs::exists(input / name, error); };
-  if (!fs::is_directory(input, error)) {
-    const std::string extension = lower_extension(input);
-    for (const char* kind : {"pcd", "ply", "npz"})
-      if (extension == std::string(".") + kind) return kind;
-  }
   if (has("disparity") && has("annotation")) return "osd";
   if (has("rgb.txt") && has("depth.txt")) return "tum";
   if (has("scene_camera.json")) return "bop";
   if (has("depth") && has("label")) return "ocid";
-  if (has("depth.png")) return "scene";
+  if (const SceneFormat* format = scene_format_of(input)) return format->name;
   throw InputError(input.string() + ": its files do not tell what layout it has; give --from");
 }
 
@@ -113,16 +111,15 @@ std::vector<SourceScene> open(const Options& options) {
 /// Where the scene is then.
 fs::path write(const Options& options, const std::string& set, const std::string& name, const ConvertedScene& scene) {
   fs::path place = options.output / set / name;
-  if (options.to == "scene") {
+  const SceneFormat& format = *find_scene_format(options.to);
+  if (!format.encode) {
     refuse_link(place);
     write_scene_folder(place, scene.images, scene.camera, scene.depth_scale);
     return place;
   }
-  fs::path file = place.parent_path() / (name + "." + options.to);
-  write_files({{file, options.to == "npz"   ? npz_scene(scene)
-                      : options.to == "pcd" ? pcd_scene(scene)
-                                            : ply_scene(scene)}});
-  if (options.to == "ply") write_camera(scene.camera, place.parent_path());  // nothing in it tells the camera
+  fs::path file = place.parent_path() / (name + format.extension);
+  write_files({{file, format.encode(scene)}});
+  if (format.camera == CameraPlace::camera_file) write_camera(scene.camera, place.parent_path());
   return file;
 }
 
@@ -164,17 +161,24 @@ void add_convert(CLI::App& app, Run& run) {
                    "folder of them. ocid: the release or a part of it. Else a file or scene, or a folder of those")
       ->required()
       ->type_name("INPUT");
+  std::vector<std::string> sources{"osd", "tum", "bop", "ocid"}, targets;
+  std::string read, written;
+  for (const SceneFormat& format : scene_formats()) {
+    sources.push_back(format.name);
+    read += "; " + format.name + ", " + format.summary;
+    if (!format.encode && format.name != options->to) continue;
+    targets.push_back(format.name);
+    written += (written.empty() ? "" : "; ") + format.name + ", " + format.summary;
+  }
   command
       ->add_option("--from", options->from,
                    "Layout of the input (default: by its files): osd, the original release of the Object Segmentation "
                    "Database; tum, an RGB-D sequence of TUM; bop, of the BOP benchmark; ocid, the Object Cluttered "
-                   "Indoor Dataset; pcd, clouds with a label for each point; ply, clouds; npz, arrays of numpy; scene, "
-                   "scene folders")
-      ->check(CLI::IsMember({"osd", "tum", "bop", "ocid", "pcd", "ply", "npz", "scene"}));
-  command
-      ->add_option("--to", options->to,
-                   "What to write: scene, folders as gestalt reads them; npz, arrays of numpy; pcd or ply, clouds")
-      ->check(CLI::IsMember({"scene", "npz", "pcd", "ply"}))
+                   "Indoor Dataset" +
+                       read + ". Clouds of pcd need a label for each point")
+      ->check(CLI::IsMember(sources));
+  command->add_option("--to", options->to, "What to write: " + written)
+      ->check(CLI::IsMember(targets))
       ->capture_default_str();
   command
       ->add_option("--labels", options->labels,

@@ -17,7 +17,7 @@
 #include "gestalt/core/base/file_bytes.h"
 #include "gestalt/core/pipeline/learning_set.h"
 #include "gestalt/io/scene/input.h"
-#include "gestalt/io/scene/pcd_header.h"
+#include "gestalt/io/scene/scene_format.h"
 #include "gestalt/io/scene/scene_path.h"
 
 namespace gestalt::app {
@@ -71,47 +71,26 @@ void add_scene(Description& description, const Input& input, const std::string& 
   description["camera_from"] = camera_source;
 }
 
-std::string camera_source(const fs::path& scene, const std::optional<CameraFile>& camera) {
+std::string camera_source(const SceneFormat& format, const fs::path& scene, const std::optional<CameraFile>& camera) {
   if (camera) return camera->file.string();
+  if (format.camera == CameraPlace::scene) return "the file, or a camera.yaml";
   const auto found = find_camera_file(scene);
   return found ? found->string() : "fitted to the points";
 }
 
-Description describe_scene_folder(const fs::path& folder, const std::optional<CameraFile>& camera) {
-  Description description{{"kind", "scene folder"}};
-  add_scene(description, read_scene(folder, camera), camera_source(folder, camera));
+Description describe_scene(const SceneFormat& format, const fs::path& scene, const std::optional<CameraFile>& camera) {
+  Description description{{"kind", format.kind}};
+  if (format.facts) description.update(format.facts(scene, camera));
+  if (!description.contains("camera_from"))
+    add_scene(description, read_scene(scene, camera), camera_source(format, scene, camera));
   return description;
 }
 
-Description describe_folder(const fs::path& folder, const std::optional<CameraFile>& camera) {
+Description describe_folder(const fs::path& folder) {
   const auto scenes = find_scenes({folder});
-  if (scenes.size() == 1 && scenes[0] == folder) return describe_scene_folder(folder, camera);
   Description names = Description::array();
   for (const fs::path& scene : scenes) names.push_back(scene_name(scene));
   return {{"kind", "folder of scenes"}, {"count", scenes.size()}, {"scenes", names}};
-}
-
-Description describe_cloud(const fs::path& file, const std::optional<CameraFile>& camera) {
-  const PcdHeader header = read_pcd_header(file);
-  Description fields = Description::array();
-  for (const PcdHeader::Field& field : header.fields)
-    fields.push_back(field.name + ":" + field.type + std::to_string(field.size) +
-                     (field.count > 1 ? "x" + std::to_string(field.count) : ""));
-  Description description{{"kind", header.height > 1 ? "organized cloud" : "unorganized cloud"},
-                          {"points", header.points()},
-                          {"fields", fields},
-                          {"data", to_string(header.data)}};
-  if (header.height > 1 || camera || find_camera_file(file))
-    add_scene(description, read_scene(file, camera), camera_source(file, camera));
-  else
-    description["camera_from"] = "none; give --camera, or camera.yaml beside the cloud or in a parent folder";
-  return description;
-}
-
-Description describe_scene_file(const fs::path& file, const std::optional<CameraFile>& camera) {
-  Description description{{"kind", lower_extension(file) == ".npz" ? "scene of arrays" : "PLY cloud"}};
-  add_scene(description, read_scene(file, camera), camera ? camera->file.string() : "the file, or a camera.yaml");
-  return description;
 }
 
 Description describe_model(const nlohmann::json& model) {
@@ -138,9 +117,8 @@ Description describe_result(const nlohmann::json& result) {
 }
 
 [[noreturn]] void fail(const fs::path& file, const std::string& why) {
-  throw InputError(
-      file.string() + ": " + why +
-      "; info reads scene folders, PCD, PLY and .npz files, camera files, configs, models and result.json");
+  throw InputError(file.string() + ": " + why + "; info reads scene folders, " + scene_extensions(" and ") +
+                   " files, camera files, configs, models and result.json");
 }
 
 Description describe_json(const fs::path& file) try {
@@ -179,12 +157,13 @@ Description describe(const fs::path& path, const std::optional<CameraFile>& came
   std::error_code error;
   const auto status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) fail(path, "does not exist");
-  if (status.type() == fs::file_type::directory) return describe_folder(path, camera);
+  const SceneFormat* const format = scene_format_of(path);
+  if (status.type() == fs::file_type::directory)
+    return format ? describe_scene(*format, path, camera) : describe_folder(path);
   if (status.type() != fs::file_type::regular) fail(path, "is neither a file nor a folder");
   if (!std::ifstream(path)) fail(path, "cannot be read");
+  if (format) return describe_scene(*format, path, camera);
   const std::string extension = lower_extension(path);
-  if (extension == ".pcd") return describe_cloud(path, camera);
-  if (extension == ".ply" || extension == ".npz") return describe_scene_file(path, camera);
   if (extension == ".json") return describe_json(path);
   if (extension == ".yaml" || extension == ".yml") return describe_yaml(path);
   if (extension == ".png") fail(path, "is one image, not a scene; name the folder that holds it");
@@ -213,7 +192,10 @@ void add_info(CLI::App& app, Run& run) {
   };
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("info", "Say what a scene, cloud, camera, config, model or result file is");
-  command->add_option("FILE", options->file, "Scene folder, folder of scenes, PCD, YAML or JSON file")->required();
+  command
+      ->add_option("FILE", options->file,
+                   "Scene folder, folder of scenes, " + scene_extensions(", ") + ", YAML or JSON file")
+      ->required();
   command->add_option("--camera", options->camera, "Camera file to read the scene with")->type_name("FILE");
   command->add_flag("--json", options->json, "Print JSON");
   command->footer("Example: gestalt info examples/demo_scene");

@@ -13,6 +13,7 @@
 #include "gestalt/apps/scene_batch.h"
 #include "gestalt/apps/scene_segmenter.h"
 #include "gestalt/apps/viewer.h"
+#include "gestalt/io/scene/scene_format.h"
 
 namespace gestalt::app {
 
@@ -62,7 +63,9 @@ int segment(const Options& options) {
 void add_segment(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("segment", "Segment scenes into objects");
-  command->add_option("inputs", options->inputs, "Scene folders, files (.pcd, .ply, .npz), or folders of those")
+  command
+      ->add_option("inputs", options->inputs,
+                   "Scene folders, files (" + scene_extensions(", ") + "), or folders of those")
       ->required()
       ->type_name("INPUT");
   add_segmenter_options(*command, options->segmenter);

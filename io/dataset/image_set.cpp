@@ -60,6 +60,22 @@ std::vector<fs::path> png_files(const fs::path& folder) {
   return files;
 }
 
+cv::Mat_<std::uint16_t> labels_of_objects(const cv::Mat_<std::uint16_t>& objects,
+                                          const cv::Mat_<std::uint16_t>& depth) {
+  constexpr int most = 6552;  // 10 (6552 + 1) is the largest multiple of ten in 16 bits
+  cv::Mat_<std::uint16_t> labels(objects.size(), std::uint16_t{0});
+  for (int v = 0; v < labels.rows; ++v)
+    for (int u = 0; u < labels.cols; ++u) {
+      if (depth(v, u) == 0) continue;
+      const int object = objects(v, u);
+      if (object > most)
+        throw InputError("has object number " + std::to_string(object) + " at column " + std::to_string(u) + ", row " +
+                         std::to_string(v) + "; objects are counted from 1 to " + std::to_string(most));
+      labels(v, u) = std::uint16_t(object == 0 ? 1 : 10 * (object + 1));
+    }
+  return labels;
+}
+
 cv::Mat_<std::uint16_t> labels_from(const fs::path& annotation, const cv::Mat_<std::uint16_t>& objects,
                                     const cv::Mat_<std::uint16_t>& depth) {
   try {

@@ -4,8 +4,10 @@
 
 #include <filesystem>
 #include <string>
+#include <vector>
 
-#include "gestalt/io/dataset/convert.h"
+#include "gestalt/core/scene/frame.h"
+#include "gestalt/io/scene/scene_folder.h"
 
 namespace gestalt {
 
@@ -19,7 +21,11 @@ cv::Mat_<std::uint16_t> read_labels(const std::filesystem::path& file, cv::Size 
 /// The PNG files of a folder, in natural order. Throws InputError when it cannot be listed or has none.
 std::vector<std::filesystem::path> png_files(const std::filesystem::path& folder);
 
-/// labels_of_objects(), naming the file of the annotation in messages.
+/// Labels of ours (1 background, 20 the first object, 30 the second, ...) for those that count objects; 0 where depth
+/// is 0. Images of one size. Throws InputError for more than 6552 objects, our labels are of 16 bits.
+cv::Mat_<std::uint16_t> labels_of_objects(const cv::Mat_<std::uint16_t>& objects, const cv::Mat_<std::uint16_t>& depth);
+
+/// The same, naming the file of the annotation in messages.
 cv::Mat_<std::uint16_t> labels_from(const std::filesystem::path& annotation, const cv::Mat_<std::uint16_t>& objects,
                                     const cv::Mat_<std::uint16_t>& depth);
 

@@ -1,11 +1,12 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "gestalt/io/dataset/ocid_sequence.h"
+
 #include <algorithm>
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/pipeline/learning_set.h"
-#include "gestalt/io/dataset/convert.h"
 #include "gestalt/io/scene/natural_order.h"
 #include "image_set.h"
 

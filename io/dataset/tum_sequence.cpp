@@ -1,6 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include "gestalt/io/dataset/tum_sequence.h"
+
 #include <algorithm>
 #include <charconv>
 #include <cmath>
@@ -8,7 +10,6 @@
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
-#include "gestalt/io/dataset/convert.h"
 #include "gestalt/io/scene/words.h"
 #include "image_set.h"
 

@@ -3,8 +3,6 @@
 
 #include "gestalt/io/result/result.h"
 
-#include <pcl/io/pcd_io.h>
-#include <pcl/point_types.h>
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
@@ -17,6 +15,7 @@
 #include "gestalt/core/base/output_file.h"
 #include "gestalt/core/scene/contour.h"
 #include "gestalt/io/scene/png_codec.h"
+#include "gestalt/io/scene/point_cloud.h"
 
 namespace gestalt {
 
@@ -100,20 +99,14 @@ Json pairs_json(const Percept& percept, const Graph& graph) {
 
 /// The original points with the label of the pixel that they are seen in, as a binary PCD file.
 std::string point_labels(const Input& input, const cv::Mat_<std::uint16_t>& labels) {
-  pcl::PointCloud<pcl::PointXYZL> cloud;
-  cloud.resize(input.cloud.size());
-  for (std::size_t i = 0; i < input.cloud.size(); ++i) {
-    pcl::PointXYZL& point = cloud[i];
-    point.x = input.cloud[i][0], point.y = input.cloud[i][1], point.z = input.cloud[i][2];
-    const int pixel = input.point_pixels[i];
-    point.label = pixel < 0 ? 0 : labels.ptr<std::uint16_t>()[pixel];
-  }
-  std::string bytes = pcl::PCDWriter::generateHeader(cloud) + "DATA binary\n";
-  for (const pcl::PointXYZL& point : cloud) {
-    bytes.append(reinterpret_cast<const char*>(point.data), 3 * sizeof(float));
-    bytes.append(reinterpret_cast<const char*>(&point.label), sizeof point.label);
-  }
-  return bytes;
+  PointCloud cloud;
+  cloud.width = int(input.cloud.size());
+  cloud.height = 1;
+  cloud.points = input.cloud;
+  cloud.labels.reserve(input.point_pixels.size());
+  for (const int pixel : input.point_pixels)
+    cloud.labels.push_back(pixel < 0 ? std::uint16_t{0} : labels.ptr<std::uint16_t>()[pixel]);
+  return encode_pcd(cloud);
 }
 
 /// From which another program, started elsewhere, finds the input again; "" of one made in memory.

@@ -15,6 +15,7 @@
 #include "gestalt/core/base/file_bytes.h"
 #include "gestalt/core/base/suggest.h"
 #include "gestalt/io/scene/input.h"
+#include "most_pixels.h"
 
 namespace gestalt {
 
@@ -101,7 +102,6 @@ YAML::Node parse(const fs::path& file) {
 
 CameraFile read_camera(const fs::path& file) {
   constexpr int longest_side = 1 << 20;
-  constexpr std::int64_t largest_image = std::int64_t{1} << 26;
   // Beyond these focal lengths single precision has no useful points.
   constexpr double shortest_focus = 0.01, longest_focus = 1e7;
 
@@ -120,7 +120,7 @@ CameraFile read_camera(const fs::path& file) {
   if (numbers.has("depth_scale"))
     result.depth_scale =
         numbers.read("depth_scale", 1e-6, 1.0, "metres per unit of depth.png, 0.001 for millimetres").value_or(0.001);
-  if (width && height && std::int64_t{*width} * *height > largest_image)
+  if (width && height && std::int64_t{*width} * *height > most_pixels)
     numbers.complain({}, "width x height is more than 2^26 pixels; such images cannot be read");
   numbers.check();
   result.camera = {*width, *height, *fx, *fy, *cx, *cy};

@@ -8,6 +8,7 @@
 #include <cmath>
 
 #include "gestalt/core/base/error.h"
+#include "most_pixels.h"
 
 namespace gestalt {
 
@@ -88,7 +89,7 @@ CameraFile read_camera_info(const fs::path& file, const YAML::Node& root) {
   const Camera& c = result.camera;
   if (!(c.fx >= 0.01 && c.fx <= 1e7 && c.fy >= 0.01 && c.fy <= 1e7 && c.cx >= 0 && c.cx <= c.width && c.cy >= 0 &&
         c.cy <= c.height) ||
-      std::int64_t{c.width} * c.height > std::int64_t{1} << 26)
+      std::int64_t{c.width} * c.height > most_pixels)
     reader.fail(any_of(root, {"camera_matrix", "K", "k"}),
                 "the focal lengths must be from 0.01 to 1e7 pixels, and the principal point in an image of up to 2^26");
   result.file = file;

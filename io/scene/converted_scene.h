@@ -2,8 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <string>
-
+#include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/scene_folder.h"
 
 namespace gestalt {
@@ -16,10 +15,8 @@ struct ConvertedScene {
   double depth_scale = 0.001;  ///< metres for each unit of images.depth
 };
 
-/// The bytes of files that read_scene() reads: .npz; .pcd (organized) and .ply (without pixels that have no depth),
-/// both binary, with colour and labels where the scene has them.
-GESTALT_EXPORT std::string npz_scene(const ConvertedScene& scene);
-GESTALT_EXPORT std::string pcd_scene(const ConvertedScene& scene);
-GESTALT_EXPORT std::string ply_scene(const ConvertedScene& scene);
+/// Any scene that read_scene() reads, ready to be written; depth in millimetres. Throws InputError for a depth beyond
+/// 65.535 m.
+GESTALT_EXPORT ConvertedScene converted(const Input& input);
 
 }  // namespace gestalt

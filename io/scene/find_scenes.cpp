@@ -7,6 +7,7 @@
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/scene/input.h"
+#include "gestalt/io/scene/scene_format.h"
 #include "gestalt/io/scene/scene_path.h"
 #include "natural_order.h"
 
@@ -15,17 +16,6 @@ namespace gestalt {
 namespace fs = std::filesystem;
 
 namespace {
-
-/// Clouds and arrays.
-bool is_scene_file(const fs::path& file) {
-  const std::string extension = lower_extension(file);
-  return extension == ".pcd" || extension == ".ply" || extension == ".npz";
-}
-
-bool is_scene_folder(const fs::path& folder) {
-  std::error_code error;
-  return fs::exists(folder / "depth.png", error) || fs::exists(folder / "rgb.png", error);
-}
 
 std::vector<fs::path> scenes_in(const fs::path& folder) {
   std::error_code error;
@@ -37,9 +27,8 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
   }
   if (error) throw InputError(folder.string() + ": cannot be listed: " + error.message());
   if (scenes.empty())
-    throw InputError(folder.string() +
-                     ": holds no scene; give a folder with depth.png (and rgb.png), a .pcd, .ply or .npz file, or a "
-                     "folder of those");
+    throw InputError(folder.string() + ": holds no scene; give a folder with depth.png (and rgb.png), a " +
+                     scene_extensions(" or ") + " file, or a folder of those");
   std::sort(scenes.begin(), scenes.end(), scene_less);
   return scenes;
 }
@@ -53,10 +42,7 @@ std::string lower_extension(const fs::path& file) {
   return extension;
 }
 
-bool is_scene(const fs::path& path) {
-  std::error_code ignored;
-  return fs::is_directory(path, ignored) ? is_scene_folder(path) : is_scene_file(path);
-}
+bool is_scene(const fs::path& path) { return scene_format_of(path); }
 
 bool scene_less(const fs::path& a, const fs::path& b) {
   return natural_less(a.filename().string(), b.filename().string());
@@ -80,14 +66,14 @@ std::vector<fs::path> find_scenes(const std::vector<fs::path>& paths) {
     const auto status = fs::status(path, error);
     if (status.type() == fs::file_type::not_found) throw InputError(path.string() + ": does not exist; check the path");
     if (error) throw InputError(path.string() + ": cannot be read: " + error.message());
-    if (status.type() == fs::file_type::directory && !is_scene_folder(path)) {
+    if (is_scene(path)) {
+      scenes.push_back(path);
+    } else if (status.type() == fs::file_type::directory) {
       const auto inside = scenes_in(path);
       scenes.insert(scenes.end(), inside.begin(), inside.end());
-    } else if (status.type() == fs::file_type::directory || is_scene_file(path)) {
-      scenes.push_back(path);
     } else {
-      throw InputError(path.string() +
-                       ": is no scene; give a scene folder, a .pcd, .ply or .npz file, or a folder of those");
+      throw InputError(path.string() + ": is no scene; give a scene folder, a " + scene_extensions(" or ") +
+                       " file, or a folder of those");
     }
   }
   std::map<std::string, fs::path> names;

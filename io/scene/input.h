@@ -51,13 +51,13 @@ struct Input {
 GESTALT_EXPORT std::string scene_name(const std::filesystem::path& scene);
 
 /// Every scene below the given paths, in the given order, the scenes of a folder in natural order (learn2 before
-/// learn10). A path is a scene folder, a .pcd, .ply or .npz file, or a folder of those; other files in a folder are
-/// left out. A folder with depth.png or rgb.png counts as a scene, so that one that lacks its depth is reported when it
+/// learn10). A path is a scene of one of scene_formats(), or a folder of those; other files in a folder are left out. A
+/// folder with depth.png or rgb.png counts as a scene, so that one that lacks its depth is reported when it
 /// is read, not lost. Throws InputError for a path that does not exist or holds no scene, and for two scenes of the
 /// same name.
 GESTALT_EXPORT std::vector<std::filesystem::path> find_scenes(const std::vector<std::filesystem::path>& paths);
 
-/// Reads a scene folder or a PCD (formats: docs/formats.md). camera, where given, is used in place of what would be
+/// Reads a scene of any of scene_formats() (docs/formats.md). camera, where given, is used in place of what would be
 /// found, depth_scale included; else find_camera_file(); an organized cloud without either gets intrinsics fitted to
 /// its points. A cloud is unorganized when its height is 1 and the camera does not have just its size: then each
 /// point goes to its nearest pixel, the nearest point of a pixel wins. Throws InputError, which names the file, the

@@ -8,8 +8,7 @@
 #include <map>
 #include <nlohmann/json.hpp>
 
-#include "gestalt/io/scene/converted_scene.h"
-#include "gestalt/io/scene/input.h"
+#include "point_cloud.h"
 
 namespace gestalt {
 
@@ -57,35 +56,21 @@ Json annotation_of(int label, const Instance& instance, cv::Size size) {
       {"segmentation", {{"size", {size.height, size.width}}, {"counts", runs}}}};
 }
 
-Frame frame_of(const ConvertedScene& scene) {
-  return make_frame("", scene.images.colour, depth_in_metres(scene.images.depth, scene.depth_scale), scene.camera);
-}
-
 }  // namespace
 
 std::string encode_pcd(const Frame& frame, const Labels& labels) {
-  std::string fields = "x y z", sizes = "4 4 4", types = "F F F", counts = "1 1 1";
-  const auto field = [&](const char* name) {
-    fields += std::string(" ") + name;
-    sizes += " 4", types += " U", counts += " 1";
-  };
-  if (frame.has_colour()) field("rgb");
-  if (!labels.empty()) field("label");
-  const std::string width = std::to_string(frame.width()), height = std::to_string(frame.height());
-  std::string bytes = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS " + fields + "\nSIZE " + sizes +
-                      "\nTYPE " + types + "\nCOUNT " + counts + "\nWIDTH " + width + "\nHEIGHT " + height +
-                      "\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " + std::to_string(frame.depth.total()) + "\nDATA binary\n";
-  const cv::Vec3f nowhere = cv::Vec3f::all(std::numeric_limits<float>::quiet_NaN());
-  for (int v = 0; v < frame.height(); ++v)
-    for (int u = 0; u < frame.width(); ++u) {
-      append(bytes, frame.depth(v, u) > 0 ? frame.points(v, u) : nowhere);
-      if (frame.has_colour()) {
-        const auto& colour = frame.colour.at<cv::Vec3b>(v, u);
-        append(bytes, std::uint32_t(colour[2]) << 16 | std::uint32_t(colour[1]) << 8 | std::uint32_t(colour[0]));
-      }
-      if (!labels.empty()) append(bytes, std::uint32_t(labels(v, u)));
-    }
-  return bytes;
+  PointCloud cloud;
+  cloud.width = frame.width();
+  cloud.height = frame.height();
+  cloud.points.assign(frame.points.begin(), frame.points.end());
+  std::size_t i = 0;
+  for (const float depth : frame.depth) {
+    if (!(depth > 0)) cloud.points[i] = cv::Vec3f::all(std::numeric_limits<float>::quiet_NaN());
+    ++i;
+  }
+  if (frame.has_colour()) cloud.colours.assign(frame.colour.begin<cv::Vec3b>(), frame.colour.end<cv::Vec3b>());
+  if (!labels.empty()) cloud.labels.assign(labels.begin(), labels.end());
+  return encode_pcd(cloud);
 }
 
 std::string encode_ply(const Frame& frame, const Labels& labels) {
@@ -120,9 +105,5 @@ Json coco_instances(const Labels& labels, const std::string& file_name) {
           {"categories", Json::array({category})},
           {"annotations", std::move(annotations)}};
 }
-
-std::string pcd_scene(const ConvertedScene& scene) { return encode_pcd(frame_of(scene), scene.images.label); }
-
-std::string ply_scene(const ConvertedScene& scene) { return encode_ply(frame_of(scene), scene.images.label); }
 
 }  // namespace gestalt

@@ -8,7 +8,7 @@
 #include <cstring>
 
 #include "gestalt/core/base/error.h"
-#include "gestalt/io/scene/converted_scene.h"
+#include "most_pixels.h"
 #include "npz_file.h"
 
 namespace gestalt {
@@ -21,7 +21,6 @@ using Arrays = std::map<std::string, NpyArray>;
 using Shape = std::vector<std::size_t>;
 
 const std::array<std::string, 5> names{"depth", "rgb", "label", "K", "depth_scale"};
-constexpr std::size_t most_pixels = std::size_t{1} << 26;
 
 std::string text(const Shape& shape) {
   std::string all;
@@ -36,7 +35,7 @@ class Scene {
     const NpyArray* depth = find("depth");
     if (!depth)
       throw InputError(file.string() + ": has no array 'depth'; write numpy.savez_compressed(file, depth=, rgb=, K=)");
-    if (depth->shape.size() != 2 || depth->count() == 0 || depth->count() > most_pixels)
+    if (depth->shape.size() != 2 || depth->count() == 0 || depth->count() > std::size_t{most_pixels})
       fail("depth", "has the shape " + text(depth->shape) + "; it must be (height, width), up to 2^26 pixels");
     size_ = cv::Size(int(depth->shape[1]), int(depth->shape[0]));
   }
@@ -132,7 +131,7 @@ Input read_npz_scene(const fs::path& file, const std::optional<CameraFile>& came
   return input;
 }
 
-std::string npz_scene(const ConvertedScene& scene) {
+std::string encode_npz_scene(const ConvertedScene& scene) {
   const SceneImages& images = scene.images;
   const std::size_t rows = std::size_t(images.depth.rows), columns = std::size_t(images.depth.cols);
   const Camera& c = scene.camera;

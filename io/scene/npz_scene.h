@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+
+#include "gestalt/io/scene/converted_scene.h"
 #include "gestalt/io/scene/input.h"
 
 namespace gestalt {
@@ -10,5 +13,8 @@ namespace gestalt {
 /// where the file has none); rgb (height, width, 3) of uint8 and label (height, width) of integers, if there; K (3, 3),
 /// for which a camera may be given instead. Throws InputError naming the file and the array.
 Input read_npz_scene(const std::filesystem::path& file, const std::optional<CameraFile>& camera);
+
+/// The bytes of such a file, deflated: depth, depth_scale, K, and rgb and label where the scene has them.
+std::string encode_npz_scene(const ConvertedScene& scene);
 
 }  // namespace gestalt

@@ -11,6 +11,7 @@
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
 #include "gestalt/io/scene/png_codec.h"
+#include "most_pixels.h"
 
 namespace gestalt {
 
@@ -19,7 +20,6 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 30;  // bytes
-constexpr std::uint64_t largest_image = std::uint64_t{1} << 26;   // pixels
 constexpr std::uint32_t longest_side = 1u << 20;                  // pixels
 
 /// What the IHDR chunk declares (PNG specification, 11.2.2).
@@ -74,11 +74,11 @@ PngHeader check_png(const fs::path& file, std::string_view bytes) {
     if (type == "IEND") break;
   }
   if (header.width == 0 || header.height == 0 || header.width > longest_side || header.height > longest_side ||
-      std::uint64_t{header.width} * header.height > largest_image)
+      std::int64_t{header.width} * header.height > most_pixels)
     fail(file, "declares " + std::to_string(header.width) + "x" + std::to_string(header.height) +
                    " pixels; images of 1 to 2^26 pixels can be read");
-  constexpr std::uint64_t most_pixels = 8 * most_inflated;  // in a byte, of a bit each
-  if (std::uint64_t{header.width} * header.height / most_pixels > bytes.size())
+  constexpr std::uint64_t most_in_a_byte = 8 * most_inflated;  // of a bit each
+  if (std::uint64_t{header.width} * header.height / most_in_a_byte > bytes.size())
     fail(file, "declares " + std::to_string(header.width) + "x" + std::to_string(header.height) +
                    " pixels, more than its " + std::to_string(bytes.size()) + " bytes can be; write it again");
   return header;

@@ -16,7 +16,7 @@
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
 #include "gestalt/io/scene/pcd_header.h"
-#include "gestalt/io/scene/scene_path.h"
+#include "header_line.h"
 #include "ply_header.h"
 
 namespace gestalt {
@@ -80,13 +80,13 @@ std::string read_ascii(const fs::path& file, const PcdHeader& header, std::strin
     std::size_t word_at = line.find_first_not_of(blank);
     for (const PcdHeader::Field& field : header.fields)
       for (std::size_t i = 0; i < field.count; ++i) {
-        if (word_at == line.npos) wrong("the row ends before field '" + field.name + "'");
+        if (word_at == line.npos) wrong("the row ends before field " + shown(field.name));
         const std::size_t word_end = std::min(line.find_first_of(blank, word_at), line.size());
         const std::string_view word = line.substr(word_at, word_end - word_at);
         if (field.name == "_")
           points.append(std::size_t(field.size), '\0');
         else if (!append_value(word, field, points))
-          wrong("'" + std::string(word.substr(0, 40)) + "' is no value of field '" + field.name + "' (" + field.type +
+          wrong(shown(word) + " is no value of field " + shown(field.name) + " (" + field.type +
                 std::to_string(field.size) + ")");
         word_at = line.find_first_not_of(blank, word_end);
       }
@@ -242,17 +242,7 @@ void take_labels(const fs::path& file, const PcdHeader& header, const std::strin
   }
 }
 
-}  // namespace
-
-bool PointCloud::visible(std::size_t i) const {
-  const cv::Vec3f& p = points[i];
-  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]) && p[2] > 0;
-}
-
-PointCloud read_point_cloud(const fs::path& file) {
-  const std::string bytes = read_bytes(file, largest_cloud_file);
-  const PcdHeader header =
-      lower_extension(file) == ".ply" ? parse_ply_header(file, bytes) : parse_pcd_header(file, bytes);
+PointCloud read_points(const fs::path& file, const PcdHeader& header, std::string_view bytes) {
   const std::string points = read_body(file, header, bytes);
   PointCloud result;
   result.width = header.width;
@@ -261,6 +251,47 @@ PointCloud read_point_cloud(const fs::path& file) {
   take_colours(file, header, points, result);
   take_labels(file, header, points, result);
   return result;
+}
+
+}  // namespace
+
+bool PointCloud::visible(std::size_t i) const {
+  const cv::Vec3f& p = points[i];
+  return std::isfinite(p[0]) && std::isfinite(p[1]) && std::isfinite(p[2]) && p[2] > 0;
+}
+
+PointCloud read_pcd(const fs::path& file) {
+  const std::string bytes = read_bytes(file, largest_cloud_file);
+  return read_points(file, parse_pcd_header(file, bytes), bytes);
+}
+
+PointCloud read_ply(const fs::path& file) {
+  const std::string bytes = read_bytes(file, largest_cloud_file);
+  return read_points(file, parse_ply_header(file, bytes), bytes);
+}
+
+std::string encode_pcd(const PointCloud& cloud) {
+  std::string fields = "x y z", sizes = "4 4 4", types = "F F F", counts = "1 1 1";
+  const auto field = [&](const char* name) {
+    fields += std::string(" ") + name;
+    sizes += " 4", types += " U", counts += " 1";
+  };
+  if (!cloud.colours.empty()) field("rgb");
+  if (!cloud.labels.empty()) field("label");
+  std::string bytes = "# .PCD v0.7 - Point Cloud Data file format\nVERSION 0.7\nFIELDS " + fields + "\nSIZE " + sizes +
+                      "\nTYPE " + types + "\nCOUNT " + counts + "\nWIDTH " + std::to_string(cloud.width) + "\nHEIGHT " +
+                      std::to_string(cloud.height) + "\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS " +
+                      std::to_string(cloud.points.size()) + "\nDATA binary\n";
+  const auto append = [&](const auto& value) { bytes.append(reinterpret_cast<const char*>(&value), sizeof value); };
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    append(cloud.points[i]);
+    if (!cloud.colours.empty()) {
+      const cv::Vec3b& colour = cloud.colours[i];
+      append(std::uint32_t(colour[2]) << 16 | std::uint32_t(colour[1]) << 8 | std::uint32_t(colour[0]));
+    }
+    if (!cloud.labels.empty()) append(std::uint32_t(cloud.labels[i]));
+  }
+  return bytes;
 }
 
 }  // namespace gestalt

@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <opencv2/core.hpp>
+#include <string>
 #include <vector>
 
 namespace gestalt {
@@ -21,10 +22,16 @@ struct PointCloud {
   bool visible(std::size_t i) const;
 };
 
-/// Reads a PCD file of any data kind and field order: x, y, z (F, 4 or 8 bytes), rgb or rgba (4 bytes), label (I or U);
-/// or a PLY file with vertices of x, y, z, red, green, blue (uchar), label (a whole number).
-/// Throws InputError naming the file, the place and the remedy. Not by PCL, which trusts the header and reports damage
-/// on stderr, and whose library of files brings sixty others with it.
-PointCloud read_point_cloud(const std::filesystem::path& file);
+// Both throw InputError naming the file, the place and the remedy. Not by PCL, which trusts the header and reports
+// damage on stderr, and whose library of files brings sixty others with it.
+
+/// Reads a PCD file of any data kind and field order: x, y, z (F, 4 or 8 bytes), rgb or rgba (4 bytes), label (I or U).
+PointCloud read_pcd(const std::filesystem::path& file);
+
+/// Reads a PLY file with vertices of x, y, z (float or double), red, green, blue (uchar), label (a whole number).
+PointCloud read_ply(const std::filesystem::path& file);
+
+/// A PCD file (0.7, binary): x y z, rgb where there are colours, label (U 4) where there are labels.
+std::string encode_pcd(const PointCloud& cloud);
 
 }  // namespace gestalt

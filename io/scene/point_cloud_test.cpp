@@ -317,6 +317,12 @@ TEST_F(Pcd, RefusesMorePointsThanTheFileHolds) {
                {"c.pcd:9: ", "2^26"});
 }
 
+TEST_F(Pcd, WhatAFileSaysDoesNotCommandTheTerminal) {
+  expect_parts(error_of(write("VERSION 0.7\nFIELDS x \x1b[2J \x1b[2J\n")), {"c.pcd:2: field '?[2J'"});
+  expect_parts(error_of(write("VERSION 0.7\nFIELDS \x1b[2J\nSIZE 3\n")), {"c.pcd:3: size '3' of field '?[2J' must"});
+  expect_refusal("0.5 0 1", "0.5 \x1b[2J 1", {"c.pcd:13: '?[2J' is no value of field 'y' (F4)"});
+}
+
 TEST_F(Pcd, RefusesRowsThatDoNotFitTheFields) {
   expect_refusal("0.5 0 1", "0.5 0", {"c.pcd:13: the row ends before field 'z'"});
   expect_refusal("0.5 0 1", "0.5 0 1 7", {"c.pcd:13: the row has more values"});

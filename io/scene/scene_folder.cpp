@@ -4,13 +4,13 @@
 #include "gestalt/io/scene/scene_folder.h"
 
 #include <cmath>
-#include <fstream>
 #include <iomanip>
 #include <limits>
 #include <locale>
 #include <sstream>
 
 #include "gestalt/core/base/error.h"
+#include "gestalt/core/base/file_bytes.h"
 #include "gestalt/core/base/output_file.h"
 #include "gestalt/io/scene/png_codec.h"
 
@@ -20,13 +20,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-std::string read_all(const fs::path& file) {
-  std::ifstream in(file, std::ios::binary);
-  std::ostringstream text;
-  text << in.rdbuf();
-  if (!in) throw InputError(file.string() + ": cannot be read; check that it is a file and its permission");
-  return text.str();
-}
+constexpr std::uintmax_t largest_text = std::uintmax_t{1} << 28;  // bytes
 
 std::string camera_text(const Camera& camera, double depth_scale = 0.001) {
   std::ostringstream text;
@@ -74,7 +68,7 @@ void write_scene_folder(const fs::path& folder, const SceneImages& images, const
 void write_camera(const Camera& camera, const fs::path& folder) {
   const std::string text = camera_text(camera);
   const fs::path file = folder / "camera.yaml";
-  if (fs::exists(file) && read_all(file) != text)
+  if (fs::exists(file) && read_bytes(file, largest_text) != text)
     throw OutputError(file.string() + ": the folder holds scenes of another camera; choose another --output");
   write_files({{file, text}});
 }
@@ -83,7 +77,7 @@ void merge_categories(const fs::path& file, const std::map<std::string, std::str
   static const std::string header = "scene,category";
   std::map<std::string, std::string> rows;
   if (fs::exists(file)) {
-    std::istringstream in(read_all(file));
+    std::istringstream in(read_bytes(file, largest_text));
     std::string line;
     for (int number = 1; std::getline(in, line); ++number) {
       if (!line.empty() && line.back() == '\r') line.pop_back();

@@ -9,6 +9,8 @@
 #include <nlohmann/json.hpp>
 #include <set>
 
+#include "gestalt/io/scene/scene_format.h"
+#include "gestalt/tests/environment/temporary_folder.h"
 #include "run_gestalt.h"
 #include "scenes.h"
 
@@ -237,7 +239,33 @@ TEST(Info, SaysWhatAFileIs) {
     EXPECT_TRUE(text.out.starts_with("kind: " + kind + "\n")) << text.out;
   }
   expect_refused(run_gestalt({"info", folder.path() / "nothing"}), 3, {"nothing", "does not exist"});
+  expect_refused(run_gestalt({"info", folder.write("notes.txt", "x")}), 3,
+                 {"no known kind", scene_extensions(" and ")});
   expect_refused(run_gestalt({"info", synthetic_scene() / "depth.png"}), 3, {"depth.png", "folder"});
+}
+
+TEST(Info, TellsEachFormatOfScenes) {
+  const TemporaryFolder folder;
+  for (const SceneFormat& format : scene_formats()) {
+    SCOPED_TRACE(format.name);
+    const fs::path out = folder.path() / format.name;
+    fs::path scene = synthetic_scene();
+    if (format.encode) {
+      expect_success(run_gestalt({"convert", synthetic_scene(), "--to", format.name, "--output", out}));
+      scene = out / "scenes" / (scene_name(synthetic_scene()) + format.extension);
+    }
+    const Outcome outcome = run_gestalt({"info", scene, "--json"});
+    expect_success(outcome);
+    const json told = json::parse(outcome.out);
+    EXPECT_NE(told.at("kind").get<std::string>().find(format.kind), std::string::npos) << told;
+    EXPECT_EQ(told.at("width"), 320);
+    if (format.name == "ply") {  // which cannot tell its camera
+      EXPECT_EQ(told.at("camera_from"), (out / "scenes" / "camera.yaml").string());
+    }
+  }
+  const Outcome wrong = run_gestalt({"convert", synthetic_scene(), "--to", "zip", "--output", folder.path() / "zip"});
+  EXPECT_EQ(wrong.code, 2);
+  for (const SceneFormat& format : scene_formats()) EXPECT_GT(occurrences(format.name, wrong.err), 0) << wrong.err;
 }
 
 }  // namespace

@@ -3,7 +3,7 @@
 
 // scene_camera.json of a BOP scene.
 
-#include "gestalt/io/dataset/convert.h"
+#include "gestalt/io/dataset/bop_scene.h"
 
 #include "scratch.h"
 

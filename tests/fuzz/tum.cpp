@@ -3,7 +3,7 @@
 
 // The lists of a TUM sequence: rgb.txt and depth.txt.
 
-#include "gestalt/io/dataset/convert.h"
+#include "gestalt/io/dataset/tum_sequence.h"
 
 #include "scratch.h"
 

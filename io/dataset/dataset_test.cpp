@@ -1,7 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gestalt/io/dataset/convert.h"
+#include "gestalt/io/dataset/labelled_cloud.h"
+#include "gestalt/io/dataset/osd_release.h"
 
 #include <gtest/gtest.h>
 

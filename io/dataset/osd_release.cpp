@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include "gestalt/io/dataset/convert.h"
+#include "gestalt/io/dataset/osd_release.h"
 
 #include <algorithm>
 #include <array>
@@ -11,7 +11,7 @@
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/pipeline/learning_set.h"
 #include "gestalt/io/scene/natural_order.h"
-#include "gestalt/io/scene/png_file.h"
+#include "image_set.h"
 
 namespace gestalt {
 
@@ -42,8 +42,6 @@ constexpr std::array<CategoryRange, 10> osd_categories{{{"learn", 0, 16, "boxes"
                                                         {"test", 43, 54, "mixed_objects"},
                                                         {"test", 55, 65, "complex_scene"}}};
 
-std::string text(cv::Size size) { return std::to_string(size.width) + "x" + std::to_string(size.height); }
-
 /// Throws unless the file is there; the images of a scene have one name.
 const fs::path& present(const fs::path& file) {
   std::error_code error;
@@ -52,15 +50,6 @@ const fs::path& present(const fs::path& file) {
         file.string() +
         ": does not exist; every scene needs an image of its name in disparity, image_color and annotation");
   return file;
-}
-
-template <class Image>
-Image read_of_size(const fs::path& file, Image (*read)(const fs::path&), cv::Size size) {
-  Image image = read(present(file));
-  if (image.size() != size)
-    throw InputError(file.string() + ": is " + text(image.size()) + ", its disparity image is " + text(size) +
-                     "; take the three images of one release");
-  return image;
 }
 
 }  // namespace
@@ -88,69 +77,14 @@ std::vector<std::string> find_osd_scenes(const fs::path& release) {
 ConvertedScene read_osd_scene(const fs::path& release, const std::string& name,
                               const std::optional<CameraFile>& camera) {
   const std::string image = name + ".png";
-  const fs::path depth_file = release / "disparity" / image;
+  const auto file = [&](const char* folder) { return present(release / folder / image); };
+  const fs::path depth = file("disparity"), colour = file("image_color"), annotation = file("annotation");
   ConvertedScene scene;
   scene.camera = camera ? camera->camera : osd_camera;
-  scene.images.depth = read_depth_png(present(depth_file));
-  const cv::Size size = scene.images.depth.size();
-  if (size != cv::Size(scene.camera.width, scene.camera.height))
-    throw InputError(depth_file.string() + ": is " + text(size) + ", the camera is for " +
-                     text({scene.camera.width, scene.camera.height}) + "; give --camera with the intrinsics of " +
-                     "these images");
-  if (cv::countNonZero(scene.images.depth) == 0)
-    throw InputError(depth_file.string() + ": no pixel has a measurement (all are 0)");
-  scene.images.colour = read_of_size(release / "image_color" / image, read_colour_png, size);
-  const fs::path annotation = release / "annotation" / image;
-  try {
-    scene.images.label = labels_of_objects(read_of_size(annotation, read_label_png, size), scene.images.depth);
-  } catch (const InputError& error) {
-    const std::string message = error.what();
-    throw InputError(message.starts_with(annotation.string()) ? message : annotation.string() + ": " + message);
-  }
+  scene.images = read_images(depth, colour, scene.camera);
+  scene.images.label = labels_from(annotation, read_labels(annotation, scene.images.depth.size()), scene.images.depth);
   scene.objects = count_objects(scene.images.label);
   return scene;
-}
-
-ConvertedScene converted(const Input& input) {
-  ConvertedScene scene;
-  scene.camera = input.frame.camera;
-  scene.images.colour = input.frame.colour;
-  scene.images.depth = depth_in_millimetres(input.frame);
-  scene.images.label = input.ground_truth;
-  if (!scene.images.label.empty()) scene.objects = count_objects(scene.images.label);
-  return scene;
-}
-
-ConvertedScene read_labelled_cloud(const fs::path& file, LabelKind labels, const std::optional<CameraFile>& camera) {
-  const Input input = read_scene(file, camera);
-  if (input.ground_truth.empty())
-    throw InputError(file.string() + ": has no field label; give clouds with ground truth, a label for each point");
-  ConvertedScene scene = converted(input);
-  if (labels == LabelKind::objects) scene.images.label = labels_of_objects(input.ground_truth, scene.images.depth);
-  scene.objects = count_objects(scene.images.label);
-  if (scene.objects == 0)
-    throw InputError(file.string() + ": its labels name no object; " +
-                     (labels == LabelKind::objects
-                          ? "all are 0, which is background"
-                          : "objects are 20 to 29, 30 to 39 and so on. Where they are counted 1, 2, 3, ..., as in the "
-                            "clouds of OSD 0.2, give --labels objects"));
-  return scene;
-}
-
-cv::Mat_<std::uint16_t> labels_of_objects(const cv::Mat_<std::uint16_t>& objects,
-                                          const cv::Mat_<std::uint16_t>& depth) {
-  constexpr int most = 6552;  // 10 (6552 + 1) is the largest multiple of ten in 16 bits
-  cv::Mat_<std::uint16_t> labels(objects.size(), std::uint16_t{0});
-  for (int v = 0; v < labels.rows; ++v)
-    for (int u = 0; u < labels.cols; ++u) {
-      if (depth(v, u) == 0) continue;
-      const int object = objects(v, u);
-      if (object > most)
-        throw InputError("has object number " + std::to_string(object) + " at column " + std::to_string(u) + ", row " +
-                         std::to_string(v) + "; objects are counted from 1 to " + std::to_string(most));
-      labels(v, u) = std::uint16_t(object == 0 ? 1 : 10 * (object + 1));
-    }
-  return labels;
 }
 
 OsdScene osd_scene(std::string_view name) {

@@ -1,0 +1,29 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <filesystem>
+#include <optional>
+#include <string>
+#include <vector>
+
+#include "gestalt/io/scene/converted_scene.h"
+#include "gestalt/io/scene/input.h"
+
+namespace gestalt {
+
+/// A frame of a sequence of the TUM RGB-D benchmark.
+struct TumFrame {
+  std::filesystem::path depth;
+  std::filesystem::path colour;
+};
+
+/// The frames of a sequence, by rgb.txt and depth.txt, in order of time: the images that are nearest in time go
+/// together, at most 0.02 s apart, each in one frame. Throws InputError with the line.
+GESTALT_EXPORT std::vector<TumFrame> find_tum_frames(const std::filesystem::path& sequence);
+
+/// Depth has 5000 units a metre. camera: else the factory's of a Kinect (525 px, 640x480), as the benchmark advises.
+GESTALT_EXPORT ConvertedScene read_tum_frame(const TumFrame& frame,
+                                             const std::optional<CameraFile>& camera = std::nullopt);
+
+}  // namespace gestalt

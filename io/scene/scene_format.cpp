@@ -1,0 +1,58 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "gestalt/io/scene/scene_format.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+#include <vector>
+
+#include "cloud_scene.h"
+#include "folder_scene.h"
+#include "gestalt/io/scene/scene_path.h"
+#include "npz_scene.h"
+
+namespace gestalt {
+
+namespace fs = std::filesystem;
+
+std::span<const SceneFormat> scene_formats() {
+  using enum CameraPlace;
+  static const std::vector<SceneFormat> formats{
+      {"scene", "", "folders of images", "scene folder", camera_file, is_scene_folder, read_scene_folder},
+      {"pcd", ".pcd", "clouds", "cloud", points, nullptr, read_pcd_scene, pcd_facts, encode_pcd_scene},
+      {"ply", ".ply", "clouds", "PLY cloud", camera_file, nullptr, read_ply_scene, nullptr, encode_ply_scene},
+      {"npz", ".npz", "arrays of numpy", "scene of arrays", scene, nullptr, read_npz_scene, nullptr, encode_npz_scene},
+  };
+  return formats;
+}
+
+const SceneFormat* scene_format_of(const fs::path& path) {
+  std::error_code ignored;
+  const bool folder = fs::is_directory(path, ignored);
+  const std::string extension = lower_extension(path);
+  for (const SceneFormat& format : scene_formats())
+    if (folder ? format.recognises && format.recognises(path)
+               : !format.extension.empty() && format.extension == extension)
+      return &format;
+  return nullptr;
+}
+
+const SceneFormat* find_scene_format(std::string_view name) {
+  const auto formats = scene_formats();
+  const auto found =
+      std::find_if(formats.begin(), formats.end(), [&](const auto& format) { return format.name == name; });
+  return found == formats.end() ? nullptr : &*found;
+}
+
+std::string scene_extensions(std::string_view last) {
+  std::vector<std::string> extensions;
+  for (const SceneFormat& format : scene_formats())
+    if (!format.extension.empty()) extensions.push_back(format.extension);
+  std::string text;
+  for (std::size_t i = 0; i < extensions.size(); ++i)
+    text.append(i == 0 ? "" : i + 1 < extensions.size() ? ", " : last).append(extensions[i]);
+  return text;
+}
+
+}  // namespace gestalt
