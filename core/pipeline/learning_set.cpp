@@ -88,11 +88,6 @@ Samples with_few_negatives(const Samples& all, std::size_t largest) {
   return few;
 }
 
-void append(Samples& samples, const Samples& more) {
-  samples.values.insert(samples.values.end(), more.values.begin(), more.values.end());
-  samples.positive.insert(samples.positive.end(), more.positive.begin(), more.positive.end());
-}
-
 const RelationTable& table_of(const Percept& percept, Level level) {
   return level == Level::structural ? percept.structural : percept.assembly;
 }
@@ -107,7 +102,7 @@ Model learn_level(const Pipeline& pipeline, Level level, const std::vector<const
   Samples samples{expected.names.size(), {}, {}};
   TrainingData training;
   for (const LearningScene* scene : scenes) {
-    append(samples, with_few_negatives(samples_of(*scene), std::size_t(config.negatives)));
+    samples.append(with_few_negatives(samples_of(*scene), std::size_t(config.negatives)));
     training.scenes.push_back(scene->name);
   }
   try {
