@@ -5,12 +5,12 @@
 
 #include <tbb/parallel_for.h>
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <map>
 #include <vector>
 
+#include "gestalt/core/scene/moments.h"
 #include "patch_refinement.h"
 
 namespace gestalt {
@@ -29,29 +29,18 @@ struct Plane {
 
 /// Least-squares planes of the patches by label.
 std::vector<Plane> fit_planes(const PyramidLevel& level) {
-  struct Moments {
-    Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-    Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-    double count = 0;
-  };
   std::vector<Moments> moments(std::size_t(level.patches.count) + 1);
   for (int pixel = 0; pixel < int(level.patches.labels.total()); ++pixel) {
     const int label = level.patches.labels.ptr<int>()[pixel];
     if (label == 0) continue;
-    Moments& m = moments[std::size_t(label)];
-    const Eigen::Vector3d p = level.frame.point(pixel).cast<double>();
-    m.sum += p;
-    m.squares += p * p.transpose();
-    m.count += 1;
+    moments[std::size_t(label)].add(level.frame.point(pixel).cast<double>());
   }
   std::vector<Plane> planes(moments.size());
   for (std::size_t i = 1; i < moments.size(); ++i) {
     const Moments& m = moments[i];
-    if (m.count == 0) continue;
-    const Eigen::Vector3d mean = m.sum / m.count;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> solver(m.squares / m.count - mean * mean.transpose());
-    planes[i].normal = solver.eigenvectors().col(0);
-    planes[i].offset = -planes[i].normal.dot(mean);
+    if (m.weight == 0) continue;
+    planes[i].normal = m.normal();
+    planes[i].offset = -planes[i].normal.dot(m.mean());
   }
   return planes;
 }

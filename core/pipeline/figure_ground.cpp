@@ -3,11 +3,12 @@
 
 #include "gestalt/core/pipeline/figure_ground.h"
 
-#include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
 #include <numeric>
 #include <opencv2/imgproc.hpp>
+
+#include "gestalt/core/scene/moments.h"
 
 namespace gestalt {
 
@@ -32,30 +33,12 @@ struct Plane {
   double distance(const Eigen::Vector3f& p) const { return normal.dot(p.cast<double>() - point); }
 };
 
-/// Sums from which the plane of any union of clouds follows.
-struct Moments {
-  double weight = 0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
+void add(Moments& moments, const Cloud& cloud) {
+  const double each = cloud.pixels / double(cloud.points.size());
+  for (const Eigen::Vector3f& p : cloud.points) moments.add(p.cast<double>(), each);
+}
 
-  void add(const Cloud& cloud) {
-    const double each = cloud.pixels / double(cloud.points.size());
-    for (const Eigen::Vector3f& p : cloud.points) {
-      const Eigen::Vector3d q = p.cast<double>();
-      weight += each;
-      sum += each * q;
-      squares += each * q * q.transpose();
-    }
-  }
-
-  Plane plane() const {
-    const Eigen::Vector3d mean = sum / weight;
-    const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(squares / weight - mean * mean.transpose());
-    Eigen::Vector3d normal = axes.eigenvectors().col(0);
-    if (normal.dot(mean) > 0) normal = -normal;
-    return {mean, normal};
-  }
-};
+Plane plane_of(const Moments& moments) { return {moments.mean(), moments.normal()}; }
 
 /// Shares of a surface's points relative to a sheet.
 struct Position {
@@ -205,16 +188,16 @@ class FigureGround {
   /// The surfaces in the plane of a seed. The plane is fitted anew once to all that are found.
   Sheet grow(int seed) const {
     Moments moments;
-    moments.add(clouds_[std::size_t(seed)]);
+    add(moments, clouds_[std::size_t(seed)]);
     Sheet sheet;
     for (int round = 0; round < 2; ++round) {
-      sheet.plane = moments.plane();
+      sheet.plane = plane_of(moments);
       sheet.surfaces.clear();
       moments = {};
       for (std::size_t s = 0; s < clouds_.size(); ++s)
         if (lies_in(clouds_[s], sheet.plane)) {
           sheet.surfaces.push_back(int(s));
-          moments.add(clouds_[s]);
+          add(moments, clouds_[s]);
         }
       if (sheet.surfaces.empty()) return sheet;
     }
@@ -228,8 +211,8 @@ class FigureGround {
     std::vector<std::pair<double, int>> seeds;
     for (std::size_t s = 0; s < clouds_.size(); ++s) {
       Moments moments;
-      moments.add(clouds_[s]);
-      const Plane plane = moments.plane();
+      add(moments, clouds_[s]);
+      const Plane plane = plane_of(moments);
       if (lies_in(clouds_[s], plane)) seeds.emplace_back(-area_on(plane, clouds_[s]), int(s));
     }
     std::sort(seeds.begin(), seeds.end());

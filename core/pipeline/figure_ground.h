@@ -15,8 +15,7 @@ namespace gestalt {
 /// Role of every surface. Background are supports - planes that things are in front of - and what lies beyond:
 /// behind a support, or over none. The rest are objects. Supports are
 /// * the ground: of all planes the one with the largest share of the frame's points in it, or in front of it and over
-/// its
-///   hull, less those behind it;
+///   its hull, less those behind it;
 /// * walls, floors: planes of relative_area with nothing behind them;
 /// * tables in front of the ground that things touch and stand on: of relative_area; or, when no chain of touching
 ///   surfaces leads to another support (the top of a box is led to the ground by the box's sides), of smallest_support

@@ -91,11 +91,6 @@ Samples with_few_negatives(const Samples& all, std::size_t largest) {
   return few;
 }
 
-void append(Samples& samples, const Samples& more) {
-  samples.values.insert(samples.values.end(), more.values.begin(), more.values.end());
-  samples.positive.insert(samples.positive.end(), more.positive.begin(), more.positive.end());
-}
-
 Model learn_level(const Pipeline& pipeline, Level level, const std::vector<const LearningScene*>& scenes,
                   const std::function<Samples(const LearningScene&)>& samples_of) {
   ExpectedModel expected = pipeline.expected_model(level);
@@ -106,7 +101,7 @@ Model learn_level(const Pipeline& pipeline, Level level, const std::vector<const
   Samples samples{expected.names.size(), {}, {}};
   TrainingData training;
   for (const LearningScene* scene : scenes) {
-    append(samples, with_few_negatives(samples_of(*scene), std::size_t(config.negatives)));
+    samples.append(with_few_negatives(samples_of(*scene), std::size_t(config.negatives)));
     training.scenes.push_back(scene->name);
   }
   try {

@@ -22,6 +22,13 @@ struct Samples {
 
   std::size_t rows() const { return positive.size(); }
   std::span<const double> row(std::size_t i) const { return {values.data() + i * columns, columns}; }
+
+  /// Adds the rows of other samples, which have as many columns, or to which these, while empty, are made equal.
+  void append(const Samples& more) {
+    if (positive.empty()) columns = more.columns;
+    values.insert(values.end(), more.values.begin(), more.values.end());
+    positive.insert(positive.end(), more.positive.begin(), more.positive.end());
+  }
 };
 
 /// Throws ModelError, telling the counts, unless there are positive and negative samples.

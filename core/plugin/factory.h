@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <functional>
 #include <memory>
 #include <type_traits>
@@ -36,6 +37,10 @@ template <>
 inline constexpr const char* kind_name<Classifier> = "classifier";
 template <>
 inline constexpr const char* kind_name<Solver> = "solver";
+
+/// All of them in the order of the method, from pixels to objects.
+inline constexpr std::array<const char*, 5> kind_names{kind_name<Clusterer>, kind_name<Fitter>, kind_name<Relation>,
+                                                       kind_name<Classifier>, kind_name<Solver>};
 
 namespace detail {
 template <class Component, class... Kinds>

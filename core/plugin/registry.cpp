@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<std::string> kinds{"clusterer", "fitter", "relation", "classifier", "solver"};
+const std::vector<std::string> kinds(kind_names.begin(), kind_names.end());
 
 // Bound completely at once, so that an undefined symbol is an error here and not a crash later; never unloaded, so that
 // no object can outlive its code.

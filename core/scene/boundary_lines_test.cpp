@@ -181,6 +181,9 @@ TEST(BoundaryLines, AreTheSameInAnotherResolution) {
                         test::kinect(width, height));
   };
   const BoundaryLines coarse = lines_of(scene(320, 240)), fine = lines_of(scene(1280, 960));
+  EXPECT_EQ(fine.lines.size(), 8u);
+  EXPECT_GE(fine.junctions.size(), 8u) << "the corners";
+  EXPECT_EQ(fine.collinearities.size(), 2u) << "above and below";
   ASSERT_EQ(coarse.lines.size(), fine.lines.size());
   EXPECT_EQ(coarse.junctions.size(), fine.junctions.size());
   EXPECT_EQ(coarse.collinearities.size(), fine.collinearities.size());

@@ -62,10 +62,14 @@ TEST(Closures, BridgeAnOccluder) {
 }
 
 TEST(Closures, AreOfTwoSurfacesAndConvex) {
-  // An arrow's head beside its shaft, and a square of its own.
-  for (const Closure& closure : closures_of({{{100, 200, 150, 40}, {0, 0, 1}, facing},
-                                             {{250, 150, 60, 140}, {0, 0, 1}, facing},
-                                             {{500, 100, 60, 60}, {0, 0, 1}, facing}})) {
+  // An arrow's head beside its shaft, a square of its own, and one in two halves.
+  const auto closures = closures_of({{{100, 200, 150, 40}, {0, 0, 1}, facing},
+                                     {{250, 150, 60, 140}, {0, 0, 1}, facing},
+                                     {{500, 100, 60, 60}, {0, 0, 1}, facing},
+                                     {{400, 320, 60, 120}, {0, 0, 1}, facing},
+                                     {{460, 320, 60, 120}, {0, 0, 1}, facing}});
+  ASSERT_FALSE(closures.empty());
+  for (const Closure& closure : closures) {
     EXPECT_GE(closure.parts.size(), 2u);
     EXPECT_GT(area(closure), 0);
     EXPECT_LE(closure.gap_length, 2 * closure.line_length);

@@ -114,12 +114,6 @@ std::vector<ValueScore> value_scores(const std::vector<std::string>& names, cons
   return values;
 }
 
-void append(Samples& samples, const Samples& more) {
-  samples.columns = more.columns;
-  samples.values.insert(samples.values.end(), more.values.begin(), more.values.end());
-  samples.positive.insert(samples.positive.end(), more.positive.begin(), more.positive.end());
-}
-
 ExperimentResult summarise_outcomes(const std::vector<SceneUse>& uses, const std::vector<LearningScene>& scenes,
                                     const std::vector<SceneOutcome>& outcomes, bool with_assembly) {
   ExperimentResult result;
@@ -138,8 +132,8 @@ ExperimentResult summarise_outcomes(const std::vector<SceneUse>& uses, const std
     }
     (use.learnt ? learn : test).push_back(outcome.count);
     if (use.learnt) {
-      append(structural, outcome.structural);
-      append(assembly, outcome.assembly);
+      structural.append(outcome.structural);
+      assembly.append(outcome.assembly);
     }
     if (!use.scored) continue;
     scores.push_back(outcome.score);

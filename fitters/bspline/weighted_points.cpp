@@ -9,24 +9,11 @@
 #include <cmath>
 #include <numbers>
 
+#include "gestalt/core/scene/moments.h"
+
 namespace gestalt {
 
 namespace {
-
-/// Weighted sums about an origin near the points, from which mean and covariance follow.
-struct Moments {
-  double weight = 0;
-  Eigen::Vector3d sum = Eigen::Vector3d::Zero();
-  Eigen::Matrix3d squares = Eigen::Matrix3d::Zero();
-
-  void add(const Eigen::Vector3d& offset, double w) {
-    weight += w;
-    sum += w * offset;
-    squares.noalias() += w * offset * offset.transpose();
-  }
-  Eigen::Vector3d mean() const { return sum / weight; }
-  Eigen::Matrix3d covariance() const { return squares / weight - mean() * mean().transpose(); }
-};
 
 /// Cell of a parameter in [0, 1] among that many.
 int cell_of(double parameter, int cells) { return std::clamp(int(parameter * cells), 0, cells - 1); }

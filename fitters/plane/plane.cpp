@@ -9,34 +9,11 @@
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
 
+#include "gestalt/core/scene/moments.h"
+
 namespace gestalt {
 
 namespace {
-
-/// Sums over points from which their least-squares plane follows. Moments of two sets add up.
-struct Moments {
-  double count;
-  Eigen::Vector3d sum;
-  Eigen::Matrix3d squares;
-
-  explicit Moments(std::span<const Eigen::Vector3f> points) : count(double(points.size())) {
-    double x = 0, y = 0, z = 0, xx = 0, xy = 0, xz = 0, yy = 0, yz = 0, zz = 0;  // stay in registers
-    for (const Eigen::Vector3f& p : points) {
-      const double px = p.x(), py = p.y(), pz = p.z();
-      x += px, y += py, z += pz;
-      xx += px * px, xy += px * py, xz += px * pz;
-      yy += py * py, yz += py * pz, zz += pz * pz;
-    }
-    sum << x, y, z;
-    squares << xx, xy, xz, xy, yy, yz, xz, yz, zz;
-  }
-  Moments(double n, const Eigen::Vector3d& s, const Eigen::Matrix3d& sq) : count(n), sum(s), squares(sq) {}
-  Moments operator+(const Moments& other) const {
-    return {count + other.count, sum + other.sum, squares + other.squares};
-  }
-  Eigen::Vector3d mean() const { return sum / count; }
-  Eigen::Matrix3d covariance() const { return squares / count - mean() * mean().transpose(); }
-};
 
 class PlaneModel final : public SurfaceModel {
  public:

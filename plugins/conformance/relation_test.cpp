@@ -66,13 +66,16 @@ TEST_P(RelationContract, MeasuresManyPairsAsItDoesOne) {
   for (const NamedScene& named : scenes()) {
     SCOPED_TRACE(named.name);
     const Scene scene(named.known.frame, named.known.patches, named.known.surfaces);
-    const auto measure = subject_->bind(scene);
     std::vector<SurfacePair> pairs;
-    for (const Adjacency& border : named.known.surfaces.adjacencies) pairs.push_back({border.a, border.b, &border});
+    for (int a = 0, count = int(named.known.surfaces.surfaces.size()); a < count; ++a)
+      for (int b = a + 1; b < count; ++b) pairs.push_back({a, b, border_of(named.known.surfaces, a, b)});
+    ASSERT_FALSE(pairs.empty());
     const std::size_t columns = subject_->values().size();
-    std::vector<double> together(pairs.size() * columns), alone(columns);
-    measure->measure(pairs, together);
-    for (std::size_t i = 0; i < pairs.size(); ++i) {
+    std::vector<double> together(pairs.size() * columns, std::nan("")), alone(columns, std::nan(""));
+    subject_->bind(scene)->measure(pairs, together);
+    // By another measure and from the last to the first, so that what a measure keeps from pair to pair shows, too.
+    const auto measure = subject_->bind(scene);
+    for (std::size_t i = pairs.size(); i-- > 0;) {
       (*measure)(pairs[i], alone);
       for (std::size_t k = 0; k < columns; ++k) EXPECT_EQ(together[i * columns + k], alone[k]) << "pair " << i;
     }

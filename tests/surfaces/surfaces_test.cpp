@@ -48,8 +48,8 @@ View view(const Camera& camera, const Depth& depth, unsigned noise_seed = 1) {
   return {make_frame("view", {}, image, camera), parts};
 }
 
-/// The wall of a mug of 4 cm radius and 10 cm height, 0.8 m away, with nothing around it: x, y are those of a ray at z
-/// = 1.
+/// The wall of a mug of 4 cm radius and 10 cm height, 0.8 m away, with nothing around it: x, y are those of a ray at
+/// z = 1.
 View mug(unsigned noise_seed = 1) {
   const auto wall = [](double x, double y) {
     constexpr double radius = 0.04, distance = 0.84;
