@@ -4,7 +4,6 @@
 #include "pipeline_options.h"
 
 #include <iostream>
-#include <opencv2/core/utility.hpp>
 
 namespace gestalt::app {
 
@@ -36,13 +35,5 @@ Segmenter load_segmenter(LoadedConfig loaded) {
 }
 
 Segmenter load_segmenter(const PipelineOptions& options) { return load_segmenter(load_config(options)); }
-
-ThreadLimit::ThreadLimit(int threads) : opencv_threads_(cv::getNumThreads()) {
-  if (threads == 0) return;
-  limit_.emplace(tbb::global_control::max_allowed_parallelism, std::size_t(threads));
-  cv::setNumThreads(threads);
-}
-
-ThreadLimit::~ThreadLimit() { cv::setNumThreads(opencv_threads_); }
 
 }  // namespace gestalt::app

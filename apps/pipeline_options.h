@@ -2,15 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <tbb/global_control.h>
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <memory>
-#include <optional>
 #include <string>
 #include <vector>
 
+#include "gestalt/core/base/thread_limit.h"
 #include "gestalt/core/pipeline/segmenter.h"
 
 namespace gestalt::app {
@@ -32,18 +30,5 @@ LoadedConfig load_config(const PipelineOptions& options);
 /// The segmenter of a config; prints its warning on stderr.
 Segmenter load_segmenter(LoadedConfig loaded);
 Segmenter load_segmenter(const PipelineOptions& options);
-
-/// Bounds the threads of oneTBB and OpenCV while it lives. 0: no bound.
-class ThreadLimit {
- public:
-  explicit ThreadLimit(int threads);
-  ~ThreadLimit();
-  ThreadLimit(const ThreadLimit&) = delete;
-  ThreadLimit& operator=(const ThreadLimit&) = delete;
-
- private:
-  std::optional<tbb::global_control> limit_;
-  int opencv_threads_;  ///< before
-};
 
 }  // namespace gestalt::app

@@ -90,7 +90,7 @@ int main(int argc, char** argv) try {
       ->type_name("DIR");
   CLI11_PARSE(app, argc, argv);
 
-  const ThreadLimit limit(options.threads);
+  const gestalt::ThreadLimit limit(options.threads);
   std::vector<Contestant> all = contestants();
   const Frames frames(options.scenes, options.synthetic);
   run(all, frames, options.repeats);

@@ -66,7 +66,7 @@ int main(int argc, char** argv) try {
   add_measuring(app, options);
   CLI11_PARSE(app, argc, argv);
 
-  const ThreadLimit limit(options.threads);
+  const gestalt::ThreadLimit limit(options.threads);
   const gestalt::Segmenter segmenter(options.config);
   const Frames frames(options.scenes, options.synthetic);
   const Runs runs = run(segmenter, frames, options.repeats);

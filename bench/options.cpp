@@ -3,8 +3,6 @@
 
 #include "options.h"
 
-#include <opencv2/core/utility.hpp>
-
 #include "gestalt/core/base/output_file.h"
 
 namespace gestalt::bench {
@@ -36,10 +34,6 @@ std::string caption(const Options& options, std::size_t frames) {
 
 void write_report(const Options& options, const nlohmann::ordered_json& report) {
   if (!options.json.empty()) write_file(options.json, report.dump(1) + '\n');
-}
-
-ThreadLimit::ThreadLimit(int threads) : limit_(tbb::global_control::max_allowed_parallelism, std::size_t(threads)) {
-  cv::setNumThreads(threads);
 }
 
 }  // namespace gestalt::bench

@@ -2,14 +2,13 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <tbb/global_control.h>
-
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
+#include "gestalt/core/base/thread_limit.h"
 #include "gestalt/core/config/config.h"
 
 namespace gestalt::bench {
@@ -38,14 +37,5 @@ std::string caption(const Options& options, std::size_t frames);
 
 /// Writes the report where --json asks for it. Throws OutputError.
 void write_report(const Options& options, const nlohmann::ordered_json& report);
-
-/// Limits TBB, which everything of Gestalt uses, and OpenCV to a number of threads while it lives.
-class ThreadLimit {
- public:
-  explicit ThreadLimit(int threads);
-
- private:
-  tbb::global_control limit_;
-};
 
 }  // namespace gestalt::bench

@@ -106,7 +106,7 @@ int main(int argc, char** argv) try {
   add_measuring(app, options);
   CLI11_PARSE(app, argc, argv);
 
-  const ThreadLimit limit(options.threads);
+  const gestalt::ThreadLimit limit(options.threads);
   const gestalt::Segmenter segmenter(options.config);
   std::vector<Measured> by_pixels = resolutions(options.quick), by_patches = patch_counts(options.quick);
   run(by_pixels, segmenter, options.repeats);

@@ -16,7 +16,7 @@ namespace {
 using namespace gestalt::bench;
 
 double frames_per_second(const gestalt::Segmenter& segmenter, const std::vector<gestalt::Frame>& frames, int threads) {
-  const ThreadLimit limit(threads);
+  const gestalt::ThreadLimit limit(threads);
   const double time =
       milliseconds([&] { gestalt::for_all(frames.size(), [&](std::size_t i) { segmenter.segment(frames[i]); }); });
   return 1000 * double(frames.size()) / time;

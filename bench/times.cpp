@@ -3,8 +3,6 @@
 
 #include "times.h"
 
-#include <algorithm>
-#include <cmath>
 #include <iomanip>
 #include <sstream>
 
@@ -16,13 +14,6 @@ constexpr int name_width = 16;
 constexpr int number_width = 9;
 
 }  // namespace
-
-double quantile(std::vector<double> values, double q) {
-  const auto rank = std::ptrdiff_t(std::ceil(q * double(values.size())));
-  const auto chosen = values.begin() + std::max<std::ptrdiff_t>(rank - 1, 0);
-  std::nth_element(values.begin(), chosen, values.end());
-  return *chosen;
-}
 
 nlohmann::ordered_json spread(const std::vector<double>& values) {
   return {{"median", median(values)},

@@ -7,6 +7,8 @@
 #include <string>
 #include <vector>
 
+#include "gestalt/core/base/quantile.h"
+
 namespace gestalt::bench {
 
 /// How long work takes, in milliseconds.
@@ -16,9 +18,6 @@ double milliseconds(const Work& work) {
   work();
   return std::chrono::duration<double, std::milli>(std::chrono::steady_clock::now() - start).count();
 }
-
-/// The smallest of the values, of which there is at least one, that a share q of them do not exceed.
-double quantile(std::vector<double> values, double q);
 
 inline double median(const std::vector<double>& values) { return quantile(values, 0.5); }
 

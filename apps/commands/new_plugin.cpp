@@ -25,7 +25,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-const std::vector<std::string> kinds{"clusterer", "fitter", "relation", "classifier", "solver"};
+const std::vector<std::string> kinds(kind_names.begin(), kind_names.end());
 
 struct Options {
   std::string kind, name;

@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
-#include <array>
 #include <cmath>
 #include <filesystem>
 #include <iomanip>
@@ -22,8 +21,6 @@ namespace {
 
 using nlohmann::json;
 
-constexpr std::array kinds{"clusterer", "fitter", "relation", "classifier", "solver"};
-
 struct Options {
   std::filesystem::path config;    ///< whose plugin_directories are searched first; empty: none
   std::vector<std::string> words;  ///< of describe: [KIND] NAME
@@ -39,7 +36,7 @@ Registry open_registry(const Options& options) {
 /// The order of the method: from pixels to objects, each kind by name.
 std::vector<ComponentInfo> in_order(const Registry& registry) {
   std::vector<ComponentInfo> components;
-  for (const char* kind : kinds)
+  for (const char* kind : kind_names)
     for (const std::string& name : registry.names(kind)) components.push_back(*registry.find(kind, name));
   return components;
 }
@@ -95,9 +92,9 @@ int list(const Options& options) {
 ComponentInfo find(const Registry& registry, const std::vector<std::string>& words) {
   const std::string& name = words.back();
   if (words.size() == 2) {
-    if (std::find(kinds.begin(), kinds.end(), words[0]) == kinds.end())
+    if (std::find(kind_names.begin(), kind_names.end(), words[0]) == kind_names.end())
       throw ConfigError("'" + words[0] + "' is no kind of component" +
-                        did_you_mean(words[0], {kinds.begin(), kinds.end()}));
+                        did_you_mean(words[0], {kind_names.begin(), kind_names.end()}));
     registry.parameters(words[0], name);  // throws when there is none, naming what was searched
     return *registry.find(words[0], name);
   }

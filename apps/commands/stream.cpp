@@ -2,7 +2,6 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
-#include <cmath>
 #include <future>
 #include <iomanip>
 #include <iostream>
@@ -15,6 +14,7 @@
 #include "gestalt/apps/scene_segmenter.h"
 #include "gestalt/apps/stream/frame_queue.h"
 #include "gestalt/apps/stream/frame_source.h"
+#include "gestalt/core/base/quantile.h"
 
 namespace gestalt::app {
 
@@ -59,22 +59,15 @@ class Summary {
   void failed() { ++failed_; }
   bool any_failed() const { return failed_ > 0; }
 
-  void print(std::size_t dropped) {
+  void print(std::size_t dropped) const {
     std::cerr << "gestalt: " << latencies_.size() << " frames, " << dropped << " dropped, " << failed_ << " failed";
-    if (!latencies_.empty()) {
-      std::sort(latencies_.begin(), latencies_.end());
-      std::cerr << std::fixed << std::setprecision(1) << "; latency: median " << percentile(0.5)
-                << " ms, 99th percentile " << percentile(0.99) << " ms";
-    }
+    if (!latencies_.empty())
+      std::cerr << std::fixed << std::setprecision(1) << "; latency: median " << quantile(latencies_, 0.5)
+                << " ms, 99th percentile " << quantile(latencies_, 0.99) << " ms";
     std::cerr << '\n';
   }
 
  private:
-  /// The smallest latency that a share of the frames do not exceed. Latencies must be sorted.
-  double percentile(double share) const {
-    return latencies_[std::size_t(std::ceil(share * double(latencies_.size()))) - 1];
-  }
-
   std::vector<double> latencies_;  ///< of the segmented frames, milliseconds
   std::size_t failed_ = 0;
 };
