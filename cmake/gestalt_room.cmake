@@ -26,6 +26,7 @@ function(gestalt_room kind)
   if(ARG_HEADERS)
     string(REGEX REPLACE "/.*" "" library ${folder})
     set(shown ${PROJECT_BINARY_DIR}/include/gestalt_${library}/gestalt/${folder})
+    file(REMOVE_RECURSE ${shown}) # with links to headers that are no more
     file(MAKE_DIRECTORY ${shown})
     foreach(header ${ARG_HEADERS})
       file(CREATE_LINK ${CMAKE_CURRENT_SOURCE_DIR}/${header} ${shown}/${header} SYMBOLIC)
