@@ -1,7 +1,7 @@
 #include "my_component.h"
 
-#include <gtest/gtest.h>
 #include <gestalt/tests/scenes/test_scenes.h>
+#include <gtest/gtest.h>
 
 namespace {
 
