@@ -13,8 +13,7 @@ namespace gestalt::bench {
 /// The file of a config that comes with Gestalt, by its name without extension.
 std::filesystem::path bundled_config(const std::string& name);
 
-/// The names of the configs whose times are told: the default, the one for real time, the paper's; those of them that
-/// this installation has.
+/// The names of the configs that are timed: default, realtime and paper, as far as they are installed.
 std::vector<std::string> measured_configs();
 
 }  // namespace gestalt::bench

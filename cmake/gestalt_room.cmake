@@ -6,7 +6,8 @@
 #
 # A room is a folder with headers, sources and tests side by side: core/scene is the target gestalt_core_scene, and its
 # headers are included as gestalt/core/scene/<header>. Rooms of kind OBJECT are parts of a shared library
-# (gestalt_shared_library); HEADERS are those that other libraries, plugins and users may include: they are installed. THREADS: the room has loops of its own, whose tests the thread sanitizer sees.
+# (gestalt_shared_library). HEADERS are those that other libraries, plugins and users may include; they are installed.
+# THREADS: the room has parallel loops, and its tests run under the thread sanitizer.
 #
 # Include folders hold links to headers alone, one folder for a room and one for what a shared library shows. So a target
 # finds what it links and nothing else: a wrong include does not build.

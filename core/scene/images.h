@@ -29,8 +29,8 @@ class GESTALT_EXPORT Observer {
   virtual std::unique_ptr<Observation> observe(const Images& images) const;
 };
 
-/// A frame's images, and what is derived from them alone. Each is made once, by whoever asks first; asking is
-/// thread-safe.
+/// A frame's images, and what is derived from them alone. Each is made once, when it is first used. Thread-safe, except
+/// for forget_observations().
 class GESTALT_EXPORT Images {
  public:
   explicit Images(Frame frame);
