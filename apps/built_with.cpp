@@ -3,7 +3,6 @@
 
 #include "built_with.h"
 
-#include <pcl/pcl_config.h>
 #include <png.h>
 #include <tbb/version.h>
 
@@ -35,8 +34,6 @@ std::string built_with() {
          dotted(EIGEN_WORLD_VERSION, EIGEN_MAJOR_VERSION, EIGEN_MINOR_VERSION) +
          "\n"
          "OpenCV        " CV_VERSION
-         "\n"
-         "PCL           " PCL_VERSION_PRETTY
          "\n"
          "oneTBB        " +
          dotted(TBB_VERSION_MAJOR, TBB_VERSION_MINOR, TBB_VERSION_PATCH) +

@@ -4,15 +4,12 @@
 #include "body.h"
 
 #include <cmath>
-#include <numbers>
 
 #include "shapes.h"
 
 namespace gestalt::synthesis {
 
 namespace {
-
-constexpr double turn = 2 * std::numbers::pi;
 
 Eigen::Vector3d extent(const Mesh& mesh) {
   Eigen::Vector3f low = mesh.vertices.front().position, high = low;

@@ -6,14 +6,12 @@
 #include <Eigen/Geometry>
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 namespace gestalt::synthesis {
 
 namespace {
 
 constexpr int segments = 48;  // of a full turn: a radius of 10 cm is met within 0.2 mm
-constexpr double turn = 2 * std::numbers::pi;
 
 Sheet rectangle(const Eigen::Vector3d& corner, const Eigen::Vector3d& u_edge, const Eigen::Vector3d& v_edge) {
   return [=](double u, double v) -> Eigen::Vector3d { return corner + u * u_edge + v * v_edge; };

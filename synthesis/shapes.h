@@ -4,11 +4,14 @@
 
 #include <Eigen/Core>
 #include <functional>
+#include <numbers>
 #include <vector>
 
 #include "mesh.h"
 
 namespace gestalt::synthesis {
+
+inline constexpr double turn = 2 * std::numbers::pi;  ///< a full one, rad
 
 // Solids in their own frame, metres: z up, standing on z = 0, centred on the z axis. The part numbers that each
 // documents choose the texture.

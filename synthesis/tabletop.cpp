@@ -6,13 +6,13 @@
 #include <algorithm>
 #include <cmath>
 #include <limits>
-#include <numbers>
+
+#include "shapes.h"
 
 namespace gestalt::synthesis {
 
 namespace {
 
-constexpr double turn = 2 * std::numbers::pi;
 constexpr int tries = 12;
 constexpr double touching = 0.001;  // metres: a thing this high above the table rests on something else
 constexpr double highest = 0.24;    // metres that a pile may reach

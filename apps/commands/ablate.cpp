@@ -14,7 +14,7 @@
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/scene/input.h"
 
-namespace gestalt::app {
+namespace gestalt::app::ablate_command {
 
 namespace {
 
@@ -160,4 +160,4 @@ const Subcommand subcommand(50, add_ablate);
 
 }  // namespace
 
-}  // namespace gestalt::app
+}  // namespace gestalt::app::ablate_command

@@ -15,7 +15,7 @@
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/scene_format.h"
 
-namespace gestalt::app {
+namespace gestalt::app::calibrate_noise_command {
 
 namespace {
 
@@ -98,4 +98,4 @@ const Subcommand subcommand(150, add_calibrate_noise);
 
 }  // namespace
 
-}  // namespace gestalt::app
+}  // namespace gestalt::app::calibrate_noise_command

@@ -8,7 +8,7 @@
 
 #include "command.h"
 
-namespace gestalt::app {
+namespace gestalt::app::completion_command {
 
 namespace {
 
@@ -105,4 +105,4 @@ const Subcommand subcommand(160, add_completion);
 
 }  // namespace
 
-}  // namespace gestalt::app
+}  // namespace gestalt::app::completion_command

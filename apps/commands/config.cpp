@@ -10,7 +10,7 @@
 #include "gestalt/apps/pipeline_options.h"
 #include "gestalt/core/config/config_schema.h"
 
-namespace gestalt::app {
+namespace gestalt::app::config_command {
 
 namespace {
 
@@ -93,4 +93,4 @@ const Subcommand subcommand(110, add_config);
 
 }  // namespace
 
-}  // namespace gestalt::app
+}  // namespace gestalt::app::config_command

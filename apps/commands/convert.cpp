@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -18,7 +19,7 @@
 #include "gestalt/io/dataset/tum_sequence.h"
 #include "gestalt/io/scene/scene_format.h"
 
-namespace gestalt::app {
+namespace gestalt::app::convert_command {
 
 namespace {
 
@@ -87,25 +88,39 @@ std::vector<SourceScene> own_scenes(const Options& options, const std::optional<
   return scenes;
 }
 
+/// How a data set is laid out in folders.
+struct Layout {
+  std::string name;
+  std::vector<std::string> holds;  ///< by which it is recognised
+  std::string input;               ///< what the command takes, for its help
+  std::string summary;
+  std::vector<SourceScene> (*scenes)(const Options& options, const std::optional<CameraFile>& camera);
+};
+
+const std::vector<Layout> layouts{
+    {"osd",
+     {"disparity", "annotation"},
+     "the folder with image_color, disparity and annotation",
+     "the original release of the Object Segmentation Database",
+     osd_scenes},
+    {"tum", {"rgb.txt", "depth.txt"}, "a sequence", "an RGB-D sequence of TUM", tum_scenes},
+    {"bop", {"scene_camera.json"}, "a scene or a folder of them", "of the BOP benchmark", bop_scenes},
+    {"ocid", {"depth", "label"}, "the release or a part of it", "the Object Cluttered Indoor Dataset", ocid_scenes}};
+
 /// The layout that the input has by its files.
 std::string guess(const fs::path& input) {
   std::error_code error;
-  const auto has = [&](const char* name) { return fs::exists(input / name, error); };
-  if (has("disparity") && has("annotation")) return "osd";
-  if (has("rgb.txt") && has("depth.txt")) return "tum";
-  if (has("scene_camera.json")) return "bop";
-  if (has("depth") && has("label")) return "ocid";
+  const auto is_there = [&](const std::string& name) { return fs::exists(input / name, error); };
+  for (const Layout& layout : layouts)
+    if (std::ranges::all_of(layout.holds, is_there)) return layout.name;
   if (const SceneFormat* format = scene_format_of(input)) return format->name;
   throw InputError(input.string() + ": its files do not tell what layout it has; give --from");
 }
 
 std::vector<SourceScene> open(const Options& options) {
   const auto camera = options.camera.empty() ? std::nullopt : std::optional(read_camera(options.camera));
-  if (options.from == "osd") return osd_scenes(options, camera);
-  if (options.from == "tum") return tum_scenes(options, camera);
-  if (options.from == "bop") return bop_scenes(options, camera);
-  if (options.from == "ocid") return ocid_scenes(options, camera);
-  return own_scenes(options, camera);
+  const auto layout = std::ranges::find(layouts, options.from, &Layout::name);
+  return (layout == layouts.end() ? own_scenes : layout->scenes)(options, camera);
 }
 
 /// Where the scene is then.
@@ -155,14 +170,16 @@ int convert(Options options) {
 void add_convert(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand("convert", "Turn data of other layouts into scenes, and scenes into files");
-  command
-      ->add_option("input", options->input,
-                   "osd: the folder with image_color, disparity and annotation. tum: a sequence. bop: a scene or a "
-                   "folder of them. ocid: the release or a part of it. Else a file or scene, or a folder of those")
+  std::vector<std::string> sources, targets;
+  std::string inputs, read, written;
+  for (const Layout& layout : layouts) {
+    sources.push_back(layout.name);
+    inputs += layout.name + ": " + layout.input + ". ";
+    read += (read.empty() ? "" : "; ") + layout.name + ", " + layout.summary;
+  }
+  command->add_option("input", options->input, inputs + "Else a file or scene, or a folder of those")
       ->required()
       ->type_name("INPUT");
-  std::vector<std::string> sources{"osd", "tum", "bop", "ocid"}, targets;
-  std::string read, written;
   for (const SceneFormat& format : scene_formats()) {
     sources.push_back(format.name);
     read += "; " + format.name + ", " + format.summary;
@@ -171,11 +188,9 @@ void add_convert(CLI::App& app, Run& run) {
     written += (written.empty() ? "" : "; ") + format.name + ", " + format.summary;
   }
   command
-      ->add_option("--from", options->from,
-                   "Layout of the input (default: by its files): osd, the original release of the Object Segmentation "
-                   "Database; tum, an RGB-D sequence of TUM; bop, of the BOP benchmark; ocid, the Object Cluttered "
-                   "Indoor Dataset" +
-                       read + ". Clouds of pcd need a label for each point")
+      ->add_option(
+          "--from", options->from,
+          "Layout of the input (default: by its files): " + read + ". Clouds of pcd need a label for each point")
       ->check(CLI::IsMember(sources));
   command->add_option("--to", options->to, "What to write: " + written)
       ->check(CLI::IsMember(targets))
@@ -213,4 +228,4 @@ const Subcommand subcommand(80, add_convert);
 
 }  // namespace
 
-}  // namespace gestalt::app
+}  // namespace gestalt::app::convert_command

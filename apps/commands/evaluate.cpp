@@ -23,7 +23,7 @@
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/png_codec.h"
 
-namespace gestalt::app {
+namespace gestalt::app::evaluate_command {
 
 namespace {
 
@@ -274,4 +274,4 @@ const Subcommand subcommand(40, add_evaluate);
 
 }  // namespace
 
-}  // namespace gestalt::app
+}  // namespace gestalt::app::evaluate_command

@@ -16,7 +16,7 @@
 #include "gestalt/io/result/result.h"
 #include "gestalt/io/result/result_file.h"
 
-namespace gestalt::app {
+namespace gestalt::app::export_command {
 
 namespace {
 
@@ -190,4 +190,4 @@ const Subcommand subcommand(120, add_export);
 
 }  // namespace
 
-}  // namespace gestalt::app
+}  // namespace gestalt::app::export_command

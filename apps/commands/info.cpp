@@ -20,7 +20,7 @@
 #include "gestalt/io/scene/scene_format.h"
 #include "gestalt/io/scene/scene_path.h"
 
-namespace gestalt::app {
+namespace gestalt::app::info_command {
 
 namespace fs = std::filesystem;
 using Description = nlohmann::ordered_json;
@@ -217,4 +217,4 @@ const Subcommand subcommand(140, add_info);
 
 }  // namespace
 
-}  // namespace gestalt::app
+}  // namespace gestalt::app::info_command

@@ -13,7 +13,7 @@
 #include "gestalt/io/result/result_file.h"
 #include "gestalt/io/scene/input.h"
 
-namespace gestalt::app {
+namespace gestalt::app::inspect_command {
 
 namespace {
 
@@ -133,4 +133,4 @@ const Subcommand subcommand(130, add_inspect);
 
 }  // namespace
 
-}  // namespace gestalt::app
+}  // namespace gestalt::app::inspect_command

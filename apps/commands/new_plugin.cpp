@@ -19,7 +19,7 @@
 #include "gestalt/core/base/suggest.h"
 #include "gestalt/core/plugin/registry.h"
 
-namespace gestalt::app {
+namespace gestalt::app::new_plugin_command {
 
 namespace {
 
@@ -132,4 +132,4 @@ const Subcommand subcommand(90, add_new_plugin);
 
 }  // namespace
 
-}  // namespace gestalt::app
+}  // namespace gestalt::app::new_plugin_command

@@ -15,7 +15,7 @@
 #include "gestalt/core/config/config.h"
 #include "gestalt/core/plugin/registry.h"
 
-namespace gestalt::app {
+namespace gestalt::app::plugins_command {
 
 namespace {
 
@@ -207,4 +207,4 @@ const Subcommand subcommand(100, add_plugins);
 
 }  // namespace
 
-}  // namespace gestalt::app
+}  // namespace gestalt::app::plugins_command

@@ -14,7 +14,7 @@
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/scene/input.h"
 
-namespace gestalt::app {
+namespace gestalt::app::reproduce_command {
 
 namespace {
 
@@ -134,4 +134,4 @@ const Subcommand subcommand(60, add_reproduce);
 
 }  // namespace
 
-}  // namespace gestalt::app
+}  // namespace gestalt::app::reproduce_command

@@ -15,7 +15,7 @@
 #include "gestalt/apps/viewer.h"
 #include "gestalt/io/scene/scene_format.h"
 
-namespace gestalt::app {
+namespace gestalt::app::segment_command {
 
 namespace {
 
@@ -86,4 +86,4 @@ const Subcommand subcommand(10, add_segment);
 
 }  // namespace
 
-}  // namespace gestalt::app
+}  // namespace gestalt::app::segment_command

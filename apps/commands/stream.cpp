@@ -16,7 +16,7 @@
 #include "gestalt/apps/stream/frame_source.h"
 #include "gestalt/core/base/quantile.h"
 
-namespace gestalt::app {
+namespace gestalt::app::stream_command {
 
 namespace {
 
@@ -148,4 +148,4 @@ const Subcommand subcommand(20, add_stream);
 
 }  // namespace
 
-}  // namespace gestalt::app
+}  // namespace gestalt::app::stream_command

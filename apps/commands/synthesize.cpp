@@ -14,7 +14,7 @@
 #include "gestalt/io/scene/scene_folder.h"
 #include "gestalt/synthesis/synthesis.h"
 
-namespace gestalt::app {
+namespace gestalt::app::synthesize_command {
 
 namespace {
 
@@ -90,4 +90,4 @@ const Subcommand subcommand(70, add_synthesize);
 
 }  // namespace
 
-}  // namespace gestalt::app
+}  // namespace gestalt::app::synthesize_command

@@ -12,7 +12,7 @@
 #include "gestalt/core/pipeline/learning_set.h"
 #include "gestalt/io/scene/input.h"
 
-namespace gestalt::app {
+namespace gestalt::app::train_command {
 
 namespace {
 
@@ -83,4 +83,4 @@ const Subcommand subcommand(30, add_train);
 
 }  // namespace
 
-}  // namespace gestalt::app
+}  // namespace gestalt::app::train_command

@@ -22,13 +22,11 @@ namespace {
 
 constexpr std::size_t most_seeds = 256;
 constexpr int most_visited = 256;
-constexpr int most_lines = 24;
+constexpr int most_closure_lines = 24;
 constexpr float most_gap = 2;        ///< gaps to lines
 constexpr float right_turn = 0.17f;  ///< rad; contours of real surfaces waver
 constexpr float link_cost = 1e-3f;   ///< of each link, so that of two equal ways the one of fewer lines is taken
 constexpr float two_pi = 2 * std::numbers::pi_v<float>;
-
-float cross(const Eigen::Vector2f& x, const Eigen::Vector2f& y) { return x.x() * y.y() - x.y() * y.x(); }
 
 /// The links as a graph: those from each line, of both kinds.
 class LinkGraph {
@@ -82,7 +80,7 @@ class ClosureSearch {
       state(i).closed = true;
       ++visited;
       if (i == seed_.from) return way_to(i);
-      if (state(i).count < most_lines)
+      if (state(i).count < most_closure_lines)
         for (const LineLink* link : graph_.from(i)) relax(*link);
     }
     return {};

@@ -22,8 +22,6 @@ constexpr float search_corner = 1;          ///< and for junctions
 constexpr std::size_t links_within = 4;     ///< kept from a line to lines of its own surface
 constexpr std::size_t links_to_others = 8;  ///< and to lines of others
 
-float cross(const Eigen::Vector2f& x, const Eigen::Vector2f& y) { return x.x() * y.y() - x.y() * y.x(); }
-
 /// Left turn from one direction to another, in (-pi, pi]; image rows grow downwards.
 float left_turn(const Eigen::Vector2f& from, const Eigen::Vector2f& to) {
   return -std::atan2(cross(from, to), from.dot(to));

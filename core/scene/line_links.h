@@ -8,6 +8,9 @@
 
 namespace gestalt {
 
+/// z of the cross product of two directions in the image.
+inline float cross(const Eigen::Vector2f& x, const Eigen::Vector2f& y) { return x.x() * y.y() - x.y() * y.x(); }
+
 /// Pixels of this camera that show what one pixel shows at a focal length of 525 px.
 inline float pixel_scale(const Camera& camera) { return float(std::max(camera.fx, camera.fy) / 525); }
 

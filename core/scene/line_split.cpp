@@ -46,7 +46,7 @@ FittedLine fit(const Chain& chain, std::size_t first, std::size_t count) {
 }
 
 /// Index of the point farthest from a given one; the first of equals.
-std::size_t farthest(const Chain& chain, std::size_t from) {
+std::size_t farthest_point(const Chain& chain, std::size_t from) {
   std::size_t best = from;
   float reached = 0;
   for (std::size_t i = 0; i < chain.size(); ++i) {
@@ -99,7 +99,7 @@ bool one_line(const Chain& chain, std::size_t first, std::size_t count, float to
 
 std::vector<ChainLine> split_into_lines(const Chain& chain, float tolerance) {
   if (chain.size() < 2) return {};
-  const std::size_t a = farthest(chain, 0), b = farthest(chain, a), n = chain.size();
+  const std::size_t a = farthest_point(chain, 0), b = farthest_point(chain, a), n = chain.size();
   if (a == b) return {};
   const std::size_t first = std::min(a, b), second = std::max(a, b);
   std::vector<std::size_t> breaks;

@@ -3,8 +3,6 @@
 
 #include "plane.h"
 
-#include <pcl/features/feature.h>
-
 #include <Eigen/Eigenvalues>
 #include <Eigen/Geometry>
 #include <nlohmann/json.hpp>
@@ -70,14 +68,8 @@ std::shared_ptr<const SurfaceModel> plane_of(const Moments& moments) {
   if (spread[1] < nothing)
     return std::make_shared<PlaneModel>(moments, facing_camera(centre, eigen.eigenvectors().col(2)));
 
-  Eigen::Vector4f plane;
-  float curvature;
-  const Eigen::Vector4f point(float(centre.x()), float(centre.y()), float(centre.z()), 1);
-  pcl::solvePlaneParameters(covariance.cast<float>(), point, plane, curvature);
-  Eigen::Vector3f normal = plane.head<3>().normalized();
-  // PCL solves in single precision, which finds none for a patch that is thousands of times longer than wide.
-  if (!normal.allFinite()) normal = eigen.eigenvectors().col(0).cast<float>();
-  if (normal.dot(point.head<3>()) > 0) normal = -normal;
+  Eigen::Vector3f normal = eigen.eigenvectors().col(0).cast<float>();
+  if (normal.dot(centre.cast<float>()) > 0) normal = -normal;
   return std::make_shared<PlaneModel>(moments, normal);
 }
 

@@ -7,7 +7,7 @@
 
 namespace gestalt {
 
-/// Plane by linear least squares (paper, Section 4.2, with PCL's solver). A patch whose points leave a direction open
+/// Plane by linear least squares (paper, Section 4.2). A patch whose points leave a direction open
 /// (one point, or collinear points) gets the plane that faces the camera most among those that fit.
 class Plane final : public Fitter {
  public:

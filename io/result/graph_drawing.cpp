@@ -12,7 +12,7 @@ namespace gestalt {
 
 namespace {
 
-constexpr int enlarge = 2;
+constexpr int enlarge_graph = 2;
 
 /// The pixel of a surface that is nearest to the mean of all, so that the node of an L lies on it.
 cv::Point node(const Surface& surface, int width) {
@@ -26,7 +26,7 @@ cv::Point node(const Surface& surface, int width) {
   };
   const int nearest = *std::min_element(surface.pixels.begin(), surface.pixels.end(),
                                         [&](int x, int y) { return distance(x) < distance(y); });
-  return {enlarge * (nearest % width) + enlarge / 2, enlarge * (nearest / width) + enlarge / 2};
+  return {enlarge_graph * (nearest % width) + enlarge_graph / 2, enlarge_graph * (nearest / width) + enlarge_graph / 2};
 }
 
 cv::Scalar probability_colour(double p) { return {0, 255 * std::min(1.0, 2 * p), 255 * std::min(1.0, 2 * (1 - p))}; }
@@ -43,7 +43,7 @@ std::vector<Edge> drawn_edges(const Graph& graph) {
 
 cv::Mat draw_graph(const Frame& frame, const SurfaceSet& surfaces, const Graph& graph) {
   cv::Mat picture;
-  cv::resize(backdrop(frame), picture, {}, enlarge, enlarge, cv::INTER_NEAREST);
+  cv::resize(backdrop(frame), picture, {}, enlarge_graph, enlarge_graph, cv::INTER_NEAREST);
   picture *= 0.45;
   std::vector<cv::Point> nodes;
   for (const Surface& surface : surfaces.surfaces) nodes.push_back(node(surface, frame.width()));

@@ -12,10 +12,10 @@ namespace gestalt {
 
 namespace {
 
-constexpr int enlarge = 2;
+constexpr int enlarge_lines = 2;
 
 cv::Point at(const Eigen::Vector2f& p) {
-  return {int(std::lround((p.x() + 0.5f) * enlarge)), int(std::lround((p.y() + 0.5f) * enlarge))};
+  return {int(std::lround((p.x() + 0.5f) * enlarge_lines)), int(std::lround((p.y() + 0.5f) * enlarge_lines))};
 }
 
 cv::Scalar line_colour(const BoundaryLine& line) {
@@ -53,7 +53,7 @@ void draw_closures(cv::Mat& picture, const std::vector<Closure>& closures) {
 
 cv::Mat draw_boundary_lines(const Scene& scene) {
   cv::Mat picture;
-  cv::resize(backdrop(scene.frame()), picture, {}, enlarge, enlarge, cv::INTER_NEAREST);
+  cv::resize(backdrop(scene.frame()), picture, {}, enlarge_lines, enlarge_lines, cv::INTER_NEAREST);
   picture *= 0.45;
   const BoundaryLines& all = scene.boundary_lines();
   draw_closures(picture, scene.closures());

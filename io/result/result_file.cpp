@@ -19,9 +19,9 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::size_t most_triangles = 5'000'000;  // of a segment's mesh
-constexpr double largest_length = 1e4;             // m, of a coordinate
-constexpr std::size_t most_vertices = 20000;       // of the outlines of one patch
+constexpr std::size_t most_mesh_triangles = 5'000'000;  // of a segment's mesh
+constexpr double largest_length = 1e4;                  // m, of a coordinate
+constexpr std::size_t most_vertices = 20000;            // of the outlines of one patch
 constexpr const char* remedy = "; make it anew with `gestalt segment`";
 
 [[noreturn]] void fail(const std::string& what) { throw ModelError(what); }  // gets its place from within()
@@ -220,9 +220,9 @@ Mesh triangulate(const StoredResult& result, const StoredResult::Segment& segmen
     } catch (const InputError& error) {
       throw InputError("patches[" + std::to_string(patch) + "]: " + error.what());
     }
-    if (mesh.triangles.size() + surface.triangles.size() > most_triangles)
+    if (mesh.triangles.size() + surface.triangles.size() > most_mesh_triangles)
       throw InputError("segment " + std::to_string(segment.label) + " takes more than " +
-                       std::to_string(most_triangles) + " triangles; allow a larger tolerance");
+                       std::to_string(most_mesh_triangles) + " triangles; allow a larger tolerance");
     const int first = int(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), surface.vertices.begin(), surface.vertices.end());
     for (const auto& [a, b, c] : surface.triangles) mesh.triangles.push_back({first + a, first + b, first + c});

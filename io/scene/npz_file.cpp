@@ -23,7 +23,7 @@ namespace {
 
 constexpr std::size_t most_bytes = std::size_t{1} << 30;  // of a file's arrays together
 constexpr std::size_t most_header = 1 << 16;
-constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 32;  // bytes; other arrays may be in it
+constexpr std::uintmax_t largest_npz = std::uintmax_t{1} << 32;  // bytes; other arrays may be in it
 constexpr const char* magic = "\x93NUMPY";
 
 struct CloseArchive {
@@ -167,7 +167,7 @@ double NpyArray::at(std::size_t index) const {
 }
 
 std::map<std::string, NpyArray> read_npz(const fs::path& file, std::span<const std::string> names) {
-  const std::string bytes = read_bytes(file, largest_file);
+  const std::string bytes = read_bytes(file, largest_npz);
   const Archive archive = open(file, bytes);
   std::map<std::string, NpyArray> arrays;
   std::size_t left = most_bytes;

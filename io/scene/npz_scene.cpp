@@ -29,9 +29,9 @@ std::string text(const Shape& shape) {
 }
 
 /// The arrays of one file.
-class Scene {
+class NpzScene {
  public:
-  explicit Scene(const fs::path& file) : file_(file), arrays_(read_npz(file, names)) {
+  explicit NpzScene(const fs::path& file) : file_(file), arrays_(read_npz(file, names)) {
     const NpyArray* depth = find("depth");
     if (!depth)
       throw InputError(file.string() + ": has no array 'depth'; write numpy.savez_compressed(file, depth=, rgb=, K=)");
@@ -124,7 +124,7 @@ NpyArray array_of(char kind, Shape shape, const T* values, std::size_t count) {
 }  // namespace
 
 Input read_npz_scene(const fs::path& file, const std::optional<CameraFile>& camera) {
-  const Scene scene(file);
+  const NpzScene scene(file);
   Input input;
   input.ground_truth = scene.label();
   input.frame = make_frame(file.string(), scene.colour(), scene.depth(), scene.camera(camera));

@@ -20,9 +20,9 @@ namespace fs = std::filesystem;
 namespace {
 
 /// Reads a header line by line in the order that the format prescribes.
-class HeaderReader {
+class PcdHeaderReader {
  public:
-  HeaderReader(const fs::path& file, std::string_view bytes)
+  PcdHeaderReader(const fs::path& file, std::string_view bytes)
       : line_(file, bytes, "PCD", [](std::string_view word) { return word.starts_with('#'); }) {}
 
   PcdHeader read() {
@@ -178,7 +178,7 @@ const char* to_string(PcdHeader::Data data) {
   return data == PcdHeader::Data::ascii ? "ascii" : data == PcdHeader::Data::binary ? "binary" : "binary_compressed";
 }
 
-PcdHeader parse_pcd_header(const fs::path& file, std::string_view bytes) { return HeaderReader(file, bytes).read(); }
+PcdHeader parse_pcd_header(const fs::path& file, std::string_view bytes) { return PcdHeaderReader(file, bytes).read(); }
 
 PcdHeader read_pcd_header(const fs::path& file) { return parse_pcd_header(file, read_bytes(file, largest_cloud_file)); }
 

@@ -29,9 +29,9 @@ const std::map<std::string_view, Scalar> scalars{
     {"int8", {'I', 1}},  {"uint8", {'U', 1}},  {"int16", {'I', 2}},   {"uint16", {'U', 2}},
     {"int32", {'I', 4}}, {"uint32", {'U', 4}}, {"float32", {'F', 4}}, {"float64", {'F', 8}}};
 
-class HeaderReader {
+class PlyHeaderReader {
  public:
-  HeaderReader(const fs::path& file, std::string_view bytes)
+  PlyHeaderReader(const fs::path& file, std::string_view bytes)
       : line_(file, bytes, "PLY", [](std::string_view word) { return word == "comment" || word == "obj_info"; }) {}
 
   PcdHeader read() {
@@ -100,6 +100,6 @@ class HeaderReader {
 
 }  // namespace
 
-PcdHeader parse_ply_header(const fs::path& file, std::string_view bytes) { return HeaderReader(file, bytes).read(); }
+PcdHeader parse_ply_header(const fs::path& file, std::string_view bytes) { return PlyHeaderReader(file, bytes).read(); }
 
 }  // namespace gestalt

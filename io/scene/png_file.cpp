@@ -19,8 +19,8 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::uintmax_t largest_file = std::uintmax_t{1} << 30;  // bytes
-constexpr std::uint32_t longest_side = 1u << 20;                  // pixels
+constexpr std::uintmax_t largest_png = std::uintmax_t{1} << 30;  // bytes
+constexpr std::uint32_t longest_side = 1u << 20;                 // pixels
 
 /// What the IHDR chunk declares (PNG specification, 11.2.2).
 struct PngHeader {
@@ -46,18 +46,21 @@ std::uint32_t big_endian(std::string_view bytes, std::size_t at) {
   return value;
 }
 
-[[noreturn]] void fail(const fs::path& file, const std::string& what) { throw InputError(file.string() + ": " + what); }
+[[noreturn]] void reject_png(const fs::path& file, const std::string& what) {
+  throw InputError(file.string() + ": " + what);
+}
 
 /// Walks all chunks to the end marker and compares their checksums, so that the error can name the place.
 PngHeader check_png(const fs::path& file, std::string_view bytes) {
   constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8);
   if (!bytes.starts_with(signature))
-    fail(file, "is no PNG image; convert it to PNG (depth: 16-bit grey, in the unit of depth_scale in camera.yaml)");
+    reject_png(file,
+               "is no PNG image; convert it to PNG (depth: 16-bit grey, in the unit of depth_scale in camera.yaml)");
   PngHeader header{};
   for (std::size_t at = signature.size();;) {
     const auto truncated = [&] {
-      fail(file, "is truncated or damaged at byte " + std::to_string(at) + " of " + std::to_string(bytes.size()) +
-                     "; copy or write it again");
+      reject_png(file, "is truncated or damaged at byte " + std::to_string(at) + " of " + std::to_string(bytes.size()) +
+                           "; copy or write it again");
     };
     if (bytes.size() - at < 12) truncated();  // length, type, checksum
     const std::size_t length = big_endian(bytes, at);
@@ -75,47 +78,50 @@ PngHeader check_png(const fs::path& file, std::string_view bytes) {
   }
   if (header.width == 0 || header.height == 0 || header.width > longest_side || header.height > longest_side ||
       std::int64_t{header.width} * header.height > most_pixels)
-    fail(file, "declares " + std::to_string(header.width) + "x" + std::to_string(header.height) +
-                   " pixels; images of 1 to 2^26 pixels can be read");
+    reject_png(file, "declares " + std::to_string(header.width) + "x" + std::to_string(header.height) +
+                         " pixels; images of 1 to 2^26 pixels can be read");
   constexpr std::uint64_t most_in_a_byte = 8 * most_inflated;  // of a bit each
   if (std::uint64_t{header.width} * header.height / most_in_a_byte > bytes.size())
-    fail(file, "declares " + std::to_string(header.width) + "x" + std::to_string(header.height) +
-                   " pixels, more than its " + std::to_string(bytes.size()) + " bytes can be; write it again");
+    reject_png(file, "declares " + std::to_string(header.width) + "x" + std::to_string(header.height) +
+                         " pixels, more than its " + std::to_string(bytes.size()) + " bytes can be; write it again");
   return header;
 }
 
 cv::Mat decode(const fs::path& file, std::string_view bytes, const PngHeader& header, int type) {
   cv::Mat image(int(header.height), int(header.width), type);
   const std::string problem = decode_png(bytes, image);
-  if (!problem.empty()) fail(file, "cannot be decoded (" + problem + "); its pixel data are damaged, write it again");
+  if (!problem.empty())
+    reject_png(file, "cannot be decoded (" + problem + "); its pixel data are damaged, write it again");
   return image;
 }
 
 }  // namespace
 
 cv::Mat read_colour_png(const fs::path& file) {
-  const std::string bytes = read_bytes(file, largest_file);
+  const std::string bytes = read_bytes(file, largest_png);
   const PngHeader header = check_png(file, bytes);
-  if (header.bits > 8) fail(file, "is " + header.pixels() + "; save colour with 8 bits a channel");
+  if (header.bits > 8) reject_png(file, "is " + header.pixels() + "; save colour with 8 bits a channel");
   return decode(file, bytes, header, CV_8UC3);
 }
 
 cv::Mat_<std::uint16_t> read_depth_png(const fs::path& file) {
-  const std::string bytes = read_bytes(file, largest_file);
+  const std::string bytes = read_bytes(file, largest_png);
   const PngHeader header = check_png(file, bytes);
   if (header.bits != 16 || header.colour_type != 0)
-    fail(file, "is " + header.pixels() +
+    reject_png(file,
+               "is " + header.pixels() +
                    ", depth must be 16-bit grey; save the sensor's depth as uint16 (millimetres, or another unit named "
                    "by depth_scale in camera.yaml), not a picture of it");
   return decode(file, bytes, header, CV_16UC1);
 }
 
 cv::Mat_<std::uint16_t> read_label_png(const fs::path& file) {
-  const std::string bytes = read_bytes(file, largest_file);
+  const std::string bytes = read_bytes(file, largest_png);
   const PngHeader header = check_png(file, bytes);
   // Fewer bits are packed, several labels to a byte.
   if ((header.bits != 8 && header.bits != 16) || header.colour_type != 0)
-    fail(file, "is " + header.pixels() + ", labels must be 8-bit or 16-bit grey; save the label numbers, not colours");
+    reject_png(file,
+               "is " + header.pixels() + ", labels must be 8-bit or 16-bit grey; save the label numbers, not colours");
   cv::Mat_<std::uint16_t> labels;
   decode(file, bytes, header, header.bits == 8 ? CV_8UC1 : CV_16UC1).convertTo(labels, CV_16U);
   return labels;

@@ -25,7 +25,9 @@ namespace fs = std::filesystem;
 
 namespace {
 
-[[noreturn]] void fail(const fs::path& file, const std::string& what) { throw InputError(file.string() + ": " + what); }
+[[noreturn]] void reject_cloud(const fs::path& file, const std::string& what) {
+  throw InputError(file.string() + ": " + what);
+}
 
 /// Takes a word of an ascii cloud for a value of the field's type and appends its bytes. False when it is none.
 bool append_value(std::string_view word, const PcdHeader::Field& field, std::string& points) {
@@ -66,8 +68,8 @@ std::string read_ascii(const fs::path& file, const PcdHeader& header, std::strin
   std::size_t at = 0;
   for (std::size_t point = 0; point < header.points();) {
     if (at >= body.size())
-      fail(file, "has " + std::to_string(point) + " rows of points, the header promises " +
-                     std::to_string(header.points()) + "; the file is truncated, write it again");
+      reject_cloud(file, "has " + std::to_string(point) + " rows of points, the header promises " +
+                             std::to_string(header.points()) + "; the file is truncated, write it again");
     const std::size_t end = std::min(body.find('\n', at), body.size());
     const std::string_view line = body.substr(at, end - at);
     at = std::min(end + 1, body.size());
@@ -99,8 +101,8 @@ std::string read_ascii(const fs::path& file, const PcdHeader& header, std::strin
 std::string read_binary(const fs::path& file, const PcdHeader& header, std::string_view bytes) {
   const std::size_t have = bytes.size() - header.body, need = header.points() * header.point_bytes();
   if (have < need)
-    fail(file, "has " + std::to_string(have) + " bytes of points, the header promises " + std::to_string(need) +
-                   "; the file is truncated, write it again");
+    reject_cloud(file, "has " + std::to_string(have) + " bytes of points, the header promises " + std::to_string(need) +
+                           "; the file is truncated, write it again");
   return std::string(bytes.substr(header.body, need));
 }
 
@@ -110,23 +112,23 @@ constexpr std::size_t most_expanded = 88;
 /// Compressed by LZF are the first elements' values of all points, then the second ones', and so on.
 std::string read_compressed(const fs::path& file, const PcdHeader& header, std::string_view bytes) {
   if (header.find("_"))
-    fail(file, "has padding fields '_', which compressed clouds cannot have; write it as DATA binary");
+    reject_cloud(file, "has padding fields '_', which compressed clouds cannot have; write it as DATA binary");
   std::uint32_t sizes[2];  // compressed, uncompressed
   const std::size_t have = bytes.size() - header.body, need = header.points() * header.point_bytes();
   if (have >= sizeof sizes) std::memcpy(sizes, bytes.data() + header.body, sizeof sizes);
   if (have < sizeof sizes || have - sizeof sizes < sizes[0])
-    fail(file, "has " + std::to_string(have) +
-                   " bytes of compressed points, fewer than it promises; the file is "
-                   "truncated, write it again");
+    reject_cloud(file, "has " + std::to_string(have) +
+                           " bytes of compressed points, fewer than it promises; the file is "
+                           "truncated, write it again");
   if (sizes[1] != need)
-    fail(file, "promises " + std::to_string(sizes[1]) + " uncompressed bytes, its header " + std::to_string(need) +
-                   "; header and data do not belong together, write it again");
+    reject_cloud(file, "promises " + std::to_string(sizes[1]) + " uncompressed bytes, its header " +
+                           std::to_string(need) + "; header and data do not belong together, write it again");
   if (need / most_expanded > sizes[0])
-    fail(file, "promises " + std::to_string(need) + " bytes of points, more than its " + std::to_string(sizes[0]) +
-                   " compressed ones can be; write it again");
+    reject_cloud(file, "promises " + std::to_string(need) + " bytes of points, more than its " +
+                           std::to_string(sizes[0]) + " compressed ones can be; write it again");
   std::string fields(need, '\0');
   if (lzf_decompress(bytes.data() + header.body + sizeof sizes, sizes[0], fields.data(), unsigned(need)) != need)
-    fail(file, "has damaged compressed data; copy or write it again");
+    reject_cloud(file, "has damaged compressed data; copy or write it again");
   std::string points(need, '\0');
   std::size_t from = 0;
   for (const PcdHeader::Field& field : header.fields)
@@ -170,9 +172,9 @@ void take_points(const fs::path& file, const PcdHeader& header, const std::strin
   for (int axis = 0; axis < 3; ++axis) {
     const std::string name(1, "xyz"[axis]);
     const PcdHeader::Field* field = header.find(name);
-    if (!field) fail(file, "has no field '" + name + "'; a cloud needs the fields x, y and z");
+    if (!field) reject_cloud(file, "has no field '" + name + "'; a cloud needs the fields x, y and z");
     if (field->type != 'F' || field->count != 1)
-      fail(file, "field '" + name + "' must be one number of type F; write the cloud again");
+      reject_cloud(file, "field '" + name + "' must be one number of type F; write the cloud again");
     const Elements elements(points, header, *field);
     for (std::size_t i = 0; i < header.points(); ++i)
       result.points[i][axis] = field->size == 4 ? elements.at<float>(i) : float(elements.at<double>(i));
@@ -186,7 +188,7 @@ void take_channels(const fs::path& file, const PcdHeader& header, const std::str
     const PcdHeader::Field* field = header.find(names[std::size_t(channel)]);
     if (!field) return;
     if (field->type != 'U' || field->size != 1 || field->count != 1)
-      fail(file, "property '" + field->name + "' must be of type uchar; write the cloud again");
+      reject_cloud(file, "property '" + field->name + "' must be of type uchar; write the cloud again");
     result.colours.resize(header.points());
     const Elements elements(points, header, *field);
     for (std::size_t i = 0; i < header.points(); ++i) result.colours[i][channel] = elements.at<std::uint8_t>(i);
@@ -200,7 +202,7 @@ void take_colours(const fs::path& file, const PcdHeader& header, const std::stri
   if (!field) field = header.find("rgba");
   if (!field) return;
   if (field->size != 4 || field->count != 1)
-    fail(file, "field '" + field->name + "' must be one packed colour of 4 bytes; write the cloud again");
+    reject_cloud(file, "field '" + field->name + "' must be one packed colour of 4 bytes; write the cloud again");
   result.colours.resize(header.points());
   const Elements elements(points, header, *field);
   // The colour is packed 0xAARRGGBB, whatever type the field declares.
@@ -214,7 +216,7 @@ void take_labels(const fs::path& file, const PcdHeader& header, const std::strin
   const PcdHeader::Field* field = header.find("label");
   if (!field) return;
   if (field->type == 'F' || field->count != 1)
-    fail(file, "field 'label' must be one whole number; write the cloud again");
+    reject_cloud(file, "field 'label' must be one whole number; write the cloud again");
   const Elements elements(points, header, *field);
   const auto read = [&](std::size_t i) -> std::uint64_t {
     switch (field->size) {
@@ -236,8 +238,8 @@ void take_labels(const fs::path& file, const PcdHeader& header, const std::strin
   for (std::size_t i = 0; i < header.points(); ++i) {
     const std::uint64_t label = read(i);
     if (label > largest)
-      fail(file, "point " + std::to_string(i) + " has a label outside 0 to " + std::to_string(largest) +
-                     "; write the cloud without the field 'label', or with labels as docs/formats.md says");
+      reject_cloud(file, "point " + std::to_string(i) + " has a label outside 0 to " + std::to_string(largest) +
+                             "; write the cloud without the field 'label', or with labels as docs/formats.md says");
     result.labels[i] = std::uint16_t(label);
   }
 }
