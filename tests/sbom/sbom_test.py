@@ -17,7 +17,7 @@ import unittest
 
 SOURCE, BUILD = (pathlib.Path(word).resolve() for word in sys.argv[1:3])
 # How each is used, and the package that must be named for it.
-KNOWN = {"libeigen3-dev": "headers", "nlohmann-json3-dev": "headers", "libcli11-dev": "headers", "libpcl-dev": "headers",
+KNOWN = {"libeigen3-dev": "headers", "nlohmann-json3-dev": "headers", "libcli11-dev": "headers",
          "libsvm-dev": "static: libsvm.a", "libopencv-core406": "shared: libopencv_core.so",
          "libyaml-cpp0.7": "shared: libyaml-cpp.so", "libtbb12": "shared: libtbb.so", "libpng16-16": "shared: libpng16.so"}
 
