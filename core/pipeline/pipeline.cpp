@@ -8,6 +8,7 @@
 #include <algorithm>
 #include <chrono>
 #include <limits>
+#include <numeric>
 
 #include "aside.h"
 #include "gestalt/core/base/error.h"
@@ -48,6 +49,12 @@ void add_edges(Graph& graph, const RelationTable& table, const std::vector<std::
   require_probabilities(classifier, p);
   for (std::size_t i = 0; i < rows.size(); ++i)
     graph.edges.push_back({table.pairs[rows[i]].a, table.pairs[rows[i]].b, p[i], level, rows[i]});
+}
+
+std::vector<int> each_alone(const Percept& percept) {
+  std::vector<int> groups(percept.surfaces().surfaces.size());
+  std::iota(groups.begin(), groups.end(), 0);
+  return groups;
 }
 
 std::vector<int> cut(const Solver& solver, const std::string& plugin, const Graph& graph, const Deadline& deadline) {
@@ -248,6 +255,7 @@ std::vector<std::size_t> assembly_rows(const Percept& percept, const std::vector
 }
 
 std::vector<int> Pipeline::structural_groups(const Percept& percept, const Model& model) const {
+  if (solver_->takes_all_pairs()) return each_alone(percept);
   return cut(*solver_, config_.solver.plugin, structural_graph(percept, model, {}), {});
 }
 
@@ -260,8 +268,8 @@ Segmentation Pipeline::decide(const Percept& percept, const Models& models, Leve
     const Stopwatch watch(spent.structural);
     graph = structural_graph(percept, models.structural, deadline);
   }
-  std::vector<int> groups;
-  {
+  std::vector<int> groups = each_alone(percept);
+  if (!assembly_ || !solver_->takes_all_pairs()) {
     const Stopwatch watch(spent.decision);
     groups = cut(*solver_, config_.solver.plugin, graph, deadline);
   }

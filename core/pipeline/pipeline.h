@@ -83,11 +83,12 @@ class GESTALT_EXPORT Pipeline {
   /// cancel it.
   Percept perceive(const Frame& frame) const;
 
-  /// Group of each surface by the structural level alone, numbered from 0. model must be as expected_model() says.
+  /// Group of each surface by the structural level alone, numbered from 0; each surface is one where the solver takes
+  /// all pairs of the assembly level. model must be as expected_model() says.
   std::vector<int> structural_groups(const Percept& percept, const Model& model) const;
 
-  /// Classification of the pairs and the global decision. At the assembly level only pairs of different structural
-  /// groups count. models must be as expected_model() says, as load_models() ensures. The time spent is added to times.
+  /// Classification of the pairs and the global decision. At the assembly level only pairs of different
+  /// structural_groups() count. models must be as expected_model() says, as load_models() ensures. The time spent is added to times.
   /// Throws TimeError when it and that of perceive() exceed the time budget.
   Segmentation decide(const Percept& percept, const Models& models, LevelTimes* times = nullptr) const;
 

@@ -22,6 +22,8 @@ Classifier::~Classifier() = default;
 Predictor::~Predictor() = default;
 Solver::~Solver() = default;
 
+bool Solver::takes_all_pairs() const { return false; }
+
 void Measure::measure(std::span<const SurfacePair> pairs, std::span<double> values) const {
   if (pairs.empty()) return;
   const std::size_t columns = values.size() / pairs.size();

@@ -99,6 +99,8 @@ class Solver(Component):
     """The global decision: which patches form one object."""
 
     kind = "solver"
+    takes_all_pairs: ClassVar[bool] = False
+    """Which pairs of the assembly level are edges: those of different groups of the structural level, or all."""
 
     def solve(
         self,

@@ -294,7 +294,10 @@ class PythonClassifier final : public Classifier {
 
 class PythonSolver final : public Solver {
  public:
-  PythonSolver(std::string who, const py::object& object) : who_(std::move(who)), object_(owned(object)) {}
+  PythonSolver(std::string who, const py::object& object)
+      : who_(std::move(who)), object_(owned(object)), takes_all_pairs_(object.attr("takes_all_pairs").cast<bool>()) {}
+
+  bool takes_all_pairs() const override { return takes_all_pairs_; }
 
   std::vector<int> solve(const Graph& graph) const override {
     return in_python<PluginError>(who_, [&] {
@@ -324,6 +327,7 @@ class PythonSolver final : public Solver {
  private:
   std::string who_;
   Owned object_;
+  bool takes_all_pairs_;
 };
 
 template <class Kind, class Component>
