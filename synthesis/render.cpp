@@ -11,6 +11,7 @@
 #include <opencv2/imgproc.hpp>
 
 #include "ray_caster.h"
+#include "sensor.h"
 
 namespace gestalt::synthesis {
 
@@ -53,18 +54,20 @@ cv::Mat_<float> smooth_light(const cv::Mat_<float>& lit, const cv::Mat_<int>& bo
 
 }  // namespace
 
-IdealView render(const Arrangement& arrangement) {
+IdealView render(const Arrangement& arrangement, SensorModel sensor) {
   std::vector<const Body*> bodies{&arrangement.table};
   for (const Body& thing : arrangement.things) bodies.push_back(&thing);
-  const int measured = int(bodies.size());
+  const int surroundings = int(bodies.size());
   for (const Body& body : arrangement.surroundings) bodies.push_back(&body);
+  const int furniture = int(bodies.size());
+  for (const Body& body : arrangement.furniture) bodies.push_back(&body);
   const RayCaster caster(bodies);
 
   const Camera& camera = arrangement.viewpoint.camera;
   const Eigen::Isometry3f pose = arrangement.viewpoint.pose.cast<float>();
   const Eigen::Vector3f eye = pose.translation();
-  const Eigen::Vector3f infrared_camera = pose * Eigen::Vector3f(float(infrared_camera_x), 0, 0);
-  const Eigen::Vector3f projector = pose * Eigen::Vector3f(float(projector_x), 0, 0);
+  std::vector<Eigen::Vector3f> sensor_eyes;
+  for (const double x : eyes_of(sensor)) sensor_eyes.push_back(pose * Eigen::Vector3f(float(x), 0, 0));
   const Lighting& lighting = arrangement.lighting;
   const auto lamp_points = points_on(lighting);
 
@@ -83,11 +86,12 @@ IdealView render(const Arrangement& arrangement) {
       const float slant = -hit.normal.dot(direction) / ray.norm();
       surface(v, u) = hit.body;
       distance(v, u) = hit.distance;  // the ray's z is 1
-      if (hit.body < measured) {
-        view.body(v, u) = hit.body;
+      if (hit.body < surroundings || hit.body >= furniture) {
+        view.body(v, u) = hit.body < surroundings ? hit.body : IdealView::first_furniture - (hit.body - furniture);
         view.depth(v, u) = hit.distance;
         view.slant(v, u) = slant;
-        view.measurable(v, u) = caster.visible(point, infrared_camera) && caster.visible(point, projector);
+        view.measurable(v, u) = std::all_of(sensor_eyes.begin(), sensor_eyes.end(),
+                                            [&](const Eigen::Vector3f& from) { return caster.visible(point, from); });
       }
       const Eigen::Vector3f& lamp_point = lamp_points[std::size_t((v % pattern) * pattern + u % pattern)];
       const Eigen::Vector3f to_lamp = (lighting.lamp.cast<float>() - point).normalized();

@@ -36,7 +36,8 @@ struct Spread {
 
 Spread spread_at(double height) {
   Random random(3);
-  const Measurement measurement = measure_depth(render(seen_from_above(height, {})), kinect_camera(), random);
+  const Measurement measurement =
+      measure_structured_light(render(seen_from_above(height, {})), kinect_camera(), random);
   double sum = 0, squares = 0;
   int count = 0;
   for (int v = 100; v < 380; ++v)
@@ -80,7 +81,7 @@ TEST(Render, PixelBeyondTheTableHasNoDepth) {
   EXPECT_EQ(view.body(10, 10), IdealView::nothing);
   EXPECT_EQ(view.depth(10, 10), 0);
   Random random(1);
-  EXPECT_EQ(measure_depth(view, kinect_camera(), random).depth(10, 10), 0);
+  EXPECT_EQ(measure_structured_light(view, kinect_camera(), random).depth(10, 10), 0);
 }
 
 TEST(Render, ProjectorShadowLiesOnTheLeft) {
@@ -95,7 +96,7 @@ TEST(Render, ProjectorShadowLiesOnTheLeft) {
   EXPECT_NEAR(right, 525 * 0.025 * 0.3 / 0.7, 2);
 
   Random random(1);
-  const Measurement measurement = measure_depth(view, kinect_camera(), random);
+  const Measurement measurement = measure_structured_light(view, kinect_camera(), random);
   for (int v = 230; v < 250; ++v) {
     int lost = 0;
     for (int u = 220; u < 320; ++u) lost += measurement.depth(v, u) == 0;
@@ -110,7 +111,7 @@ TEST(Kinect, StepIsThatOfAnEighthOfAPixel) {
 
 TEST(Kinect, MeasuredDepthsAreThoseOfQuantisedDisparities) {
   Random random(3);
-  const Measurement measurement = measure_depth(render(seen_from_above(1.5, {})), kinect_camera(), random);
+  const Measurement measurement = measure_structured_light(render(seen_from_above(1.5, {})), kinect_camera(), random);
   std::set<int> depths(measurement.depth.begin(), measurement.depth.end());
   depths.erase(0);
   EXPECT_GE(depths.size(), 3u);
@@ -134,7 +135,7 @@ TEST(Kinect, LosesSurfacesAtGrazingAngles) {
   IdealView view = render(seen_from_above(1.0, {}));
   view.slant = 0.03f;  // 88 degrees
   Random random(1);
-  EXPECT_EQ(cv::countNonZero(measure_depth(view, kinect_camera(), random).depth), 0);
+  EXPECT_EQ(cv::countNonZero(measure_structured_light(view, kinect_camera(), random).depth), 0);
 }
 
 TEST(GroundTruth, NumbersPartsBySize) {

@@ -87,6 +87,15 @@ bool Tabletop::place(const Body& body, const Points& points, const Eigen::Isomet
   return true;
 }
 
+bool Tabletop::put(const Body& body) { return place(body, points_of(body), body.pose); }
+
+void Tabletop::furnish(const Body& body) {
+  std::vector<Eigen::Vector3f> world = sample_surface(body.mesh, 0.0025);
+  for (Eigen::Vector3f& point : world) point = body.pose.cast<float>() * point;
+  field_.add(world);
+  preview_.hide_behind(world);
+}
+
 Eigen::Vector2d Tabletop::random_spot(Random& random) const {
   const double angle = random.uniform(0, turn), radius = working_radius_ * std::sqrt(random.uniform());
   return {1.15 * radius * std::cos(angle), 0.9 * radius * std::sin(angle)};

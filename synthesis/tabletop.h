@@ -36,6 +36,12 @@ class Tabletop {
   /// Dropped in any orientation onto whatever is there.
   bool tumble(const Body& body, Random& random);
 
+  /// Where its pose says.
+  bool put(const Body& body);
+
+  /// Background that hides things and that things fall onto: the walls of a bin, the boards of a shelf.
+  void furnish(const Body& body);
+
   const std::vector<Body>& bodies() const { return bodies_; }
   const Preview& preview() const { return preview_; }
 
