@@ -25,6 +25,7 @@ struct Settings {
   double fattening;        // how far near surfaces grow over farther ones
   double deviation;        // of disparity, pixels
   double bump;             // radius of the noise's bumps
+  double grain;            // share of the deviation that neighbours hardly share
   double lost_at_jumps;    // share
   double lost_on_plain;    // share lost on surfaces without texture: much where daylight drowns the projector
   double lost_in_patches;  // share
@@ -34,18 +35,19 @@ struct Settings {
 
 Settings draw_settings(const Camera& camera, double pixel, Random& random) {
   Settings settings;
-  settings.window = pixel * random.uniform(1.5, 4.5);
-  settings.tolerance = random.uniform(0.4, 1);
+  settings.window = pixel * random.uniform(1.5, 5);
+  settings.tolerance = random.uniform(0.5, 1.5);
   settings.fattening = pixel * random.uniform(0.5, 2.5);
   // 0.08 is what Intel gives for a textured wall (Grunnet-Jepsen et al., Best-known methods for tuning Intel RealSense
   // D400 depth cameras, 2018).
-  settings.deviation = random.uniform(0.04, 0.11);
-  settings.bump = pixel * random.uniform(2, 5.5);
-  settings.lost_at_jumps = random.uniform(0.02, 0.45);
-  settings.lost_on_plain = random.chance(0.3) ? random.uniform(0.1, 0.7) : 0.0;
+  settings.deviation = random.uniform(0.03, 0.1);
+  settings.bump = pixel * random.uniform(2.5, 8);
+  settings.grain = random.uniform(0.03, 0.25);
+  settings.lost_at_jumps = random.uniform(0, 0.3);
+  settings.lost_on_plain = random.chance(0.25) ? random.uniform(0.02, 0.25) : 0.0;
   settings.lost_in_patches = random.chance(0.5) ? random.uniform(0, 0.012) : 0.0;
   settings.half_field = camera.cx / camera.fx * random.uniform(0.98, 1.12);
-  settings.fills_holes = random.chance(0.25);
+  settings.fills_holes = random.chance(0.125);
   return settings;
 }
 
@@ -123,11 +125,11 @@ Measurement measure_active_stereo(const IdealView& view, const Camera& camera, R
   // Of the imagers' own image, half as fine as which the device matches and interpolates up.
   const double pixel = std::max(camera.fx / 613, 0.3);
   const Settings settings = draw_settings(camera, pixel, random);
-  const cv::Mat_<float> wander = smooth_noise(size, 2 * pixel, random);
+  const cv::Mat_<float> wander = smooth_noise(size, 3 * pixel, random);
   const cv::Mat_<float> grain = smooth_noise(size, 0.7 * pixel, random);
   const cv::Mat_<float> bumps = smooth_noise(size, settings.bump, random);
   const cv::Mat_<float> waves = broad_noise(size, 20 * pixel, random);
-  const cv::Mat_<float> loss = smooth_noise(size, 1.5 * pixel, random);
+  const cv::Mat_<float> loss = smooth_noise(size, 2.5 * pixel, random);
   const cv::Mat_<float> patches = broad_noise(size, 8 * pixel, random);
 
   Matches matches = true_matches(view);
@@ -135,11 +137,13 @@ Measurement measure_active_stereo(const IdealView& view, const Camera& camera, R
   view.depth.copyTo(seen, view.measurable);
   const cv::Mat_<uchar> beside = beside_jumps(seen, std::max(1, int(std::lround(settings.fattening + pixel))));
   matches = fattened(matches, beside, settings.fattening, wander);
-  matches.disparity = window_mean(matches.disparity, int(std::lround(settings.window)), float(settings.tolerance));
+  // Twice: the middle of a window weighs more than its rim.
+  for (int pass = 0; pass < 2; ++pass)
+    matches.disparity = window_mean(matches.disparity, int(std::lround(settings.window)), float(settings.tolerance));
 
   cv::Mat_<float> brightness;
   cv::transform(view.colour, brightness, cv::Matx13f(1 / 3.f, 1 / 3.f, 1 / 3.f));
-  const cv::Mat_<float> texture = texture_of(brightness, std::max(1, int(std::lround(2 * pixel))));
+  const cv::Mat_<float> texture = texture_of(brightness, std::max(1, int(std::lround(4 * pixel))));
 
   Measurement measurement{{size, std::uint16_t(0)}, {size, IdealView::nothing}};
   for (int v = 0; v < size.height; ++v)
@@ -152,14 +156,15 @@ Measurement measure_active_stereo(const IdealView& view, const Camera& camera, R
       const double slant = double(view.slant(v, u));
       const double dark = std::clamp((22 - double(brightness(v, u))) / 22, 0.0, 1.0);
       const double kept = (1 - lost_at(std::max(slant, beside(v, u) ? 0.2 : 0.0))) * (1 - 0.6 * dark) *
-                          (beside(v, u) ? 1 - settings.lost_at_jumps : 1.0) *
-                          (texture(v, u) < 1.2f ? 1 - settings.lost_on_plain : 1.0);
+                          (beside(v, u) ? 1 - settings.lost_at_jumps : 1.0);
       if (kept < 1 && loss(v, u) > exceeded_with(1 - kept)) continue;
-      if (settings.lost_in_patches > 0 && patches(v, u) > exceeded_with(settings.lost_in_patches)) continue;
-      // Squares add up to 1. A slanted surface differs more between the two views.
-      const float noise = 0.25f * grain(v, u) + 0.9f * bumps(v, u) + 0.36f * waves(v, u);
+      const double lost = settings.lost_in_patches + (texture(v, u) < 1.2f ? settings.lost_on_plain : 0.0);
+      if (lost > 0 && patches(v, u) > exceeded_with(lost)) continue;
+      const double noise =
+          settings.grain * double(grain(v, u)) + 0.9 * double(bumps(v, u)) + 0.36 * double(waves(v, u));
+      // A slanted surface differs more between the two views.
       const double rough = (1 + 0.7 * dark) / std::sqrt(std::clamp(slant, 0.3, 1.0));
-      const double error = settings.deviation * rough * double(noise);
+      const double error = settings.deviation * rough * noise;
       const double quantised = finest_step * std::round((disparity + error) / finest_step);
       const double depth = stereo_constant / std::max(quantised, finest_step);
       if (depth < nearest || depth > farthest) continue;

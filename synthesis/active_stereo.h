@@ -18,13 +18,13 @@ constexpr double imager_focal_length = 640;                      ///< pixels: D4
 constexpr double stereo_constant = imager_focal_length * (right_imager_x - left_imager_x);
 
 /// The deviation of depth (metres) at z that an error in disparity (pixels) makes: z^2 / (f b) of it (Keselman et al.,
-/// Intel RealSense stereoscopic depth cameras, CVPR workshops 2017, Sec. 5).
+/// Intel RealSense stereoscopic depth cameras, CVPR workshops 2017).
 double stereo_deviation(double z, double disparity_deviation);
 
 /// Adds what matching by windows does: creases become round, the nearer surface grows over depth jumps, disparity noise
 /// that neighbours share; no depth in shadows, left of what the right imager sees, in clumps beside jumps, on dark,
-/// grazing and plain surfaces. How much of each is drawn once a call; one call in four fills the holes from their left,
-/// as the camera's software can.
+/// grazing and plain surfaces. How much of each is drawn once a call; one call in eight fills the holes from their
+/// left, as the camera's software can.
 Measurement measure_active_stereo(const IdealView& view, const Camera& camera, Random& random);
 
 }  // namespace gestalt::synthesis

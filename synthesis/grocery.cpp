@@ -79,7 +79,9 @@ Body package(const Eigen::Vector3d& size, bool bare, const Palette& palette, Ran
   return made_of(box(size), std::move(parts));
 }
 
-Body random_grocery(const Palette& palette, Random& random) {
+namespace {
+
+Body dull_grocery(const Palette& palette, Random& random) {
   const double kind = random.uniform();
   if (kind < 0.36) return random_body(Kind::carton, palette, random);
   if (kind < 0.58) return random_body(Kind::can, palette, random);
@@ -88,6 +90,14 @@ Body random_grocery(const Palette& palette, Random& random) {
   if (kind < 0.84) return tub(palette, random);
   if (kind < 0.92) return standing_bag(palette, random);
   return lying_bag(palette, random);
+}
+
+}  // namespace
+
+Body random_grocery(const Palette& palette, Random& random) {
+  Body body = dull_grocery(palette, random);
+  body.paint.gloss = random.chance(0.5) ? float(random.uniform(0, 0.7)) : 0.f;
+  return body;
 }
 
 }  // namespace gestalt::synthesis

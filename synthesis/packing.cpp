@@ -26,10 +26,11 @@ Product random_product(Random& random) {
   return {random.chance(0.35), random.chance(0.5), random.pick(gaps)};
 }
 
-/// Packages of one layer, their lower sides at z. False when one does not fit: what lies on top would float.
+/// Packages of one layer, their lower sides at z. False when one does not fit: what lay on top would float.
 bool lay_layer(Tabletop& tabletop, const std::vector<Eigen::AlignedBox2d>& pieces, double z, double height,
                const Eigen::Isometry3d& pose, const Product& product, const Palette& palette, Random& random) {
   std::optional<Body> first;
+  bool complete = true;
   for (const Eigen::AlignedBox2d& piece : pieces) {
     const Eigen::Vector2d size = piece.sizes();
     const Eigen::Vector3d outer(size.x() - product.gap, size.y() - product.gap, height);
@@ -40,9 +41,9 @@ bool lay_layer(Tabletop& tabletop, const std::vector<Eigen::AlignedBox2d>& piece
     const Eigen::Vector2d at = piece.center();
     body.pose = pose * Eigen::Translation3d(at.x(), at.y(), z) *
                 Eigen::AngleAxisd(random.chance(0.3) ? turn / 2 : 0, Eigen::Vector3d::UnitZ());
-    if (!tabletop.put(body)) return false;
+    complete &= tabletop.put(body);
   }
-  return true;
+  return complete;
 }
 
 /// A part of a rectangle that keeps its left front corner.

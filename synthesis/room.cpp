@@ -17,7 +17,13 @@ constexpr double degree = std::numbers::pi / 180;
 
 /// Lacquer, cloth, concrete, wood.
 Texture surface(double width, double height, Random& random) {
-  return random.chance(0.45) ? wood(width, height, random) : glaze(width, height, random_palette(random), random);
+  if (random.chance(0.55)) return wood(width, height, random);
+  Palette palette = random_palette(random);
+  // Mostly duller than what stands on it.
+  const double grey = random.uniform(40, 200), share = random.chance(0.8) ? random.uniform(0.5, 0.9) : 0.0;
+  for (cv::Vec3b* colour : {&palette.ground, &palette.accent})
+    for (int c = 0; c < 3; ++c) (*colour)[c] = uchar((1 - share) * (*colour)[c] + share * grey);
+  return glaze(width, height, palette, random);
 }
 
 Body sheet(const Eigen::Vector3d& corner, const Eigen::Vector3d& u_edge, const Eigen::Vector3d& v_edge,

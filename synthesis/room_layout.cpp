@@ -34,7 +34,7 @@ struct Framing {
 Framing framing_of(Category category) {
   switch (category) {
     case Category::packages:
-      return {0.5, 2.5, 15, 88, 30};
+      return {0.45, 2.2, 15, 88, 30};
     case Category::bin:
       return {0.45, 1.4, 50, 89, 180};
     case Category::thin_and_small:
@@ -44,7 +44,7 @@ Framing framing_of(Category category) {
     default:
       break;  // groceries
   }
-  return {0.45, 2.2, 12, 80, 30};
+  return {0.45, 2.0, 12, 80, 30};
 }
 
 Viewpoint look(const Camera& camera, const Framing& framing, Random& random) {
@@ -183,7 +183,9 @@ std::optional<Arrangement> lay_out_shelf(const Viewpoint& viewpoint, double smal
   Brands brands(random);
   if (!lay_shelf(tabletop, size, has_above ? above - 0.02 : 0.4, reach_of(viewpoint), brands, random))
     return std::nullopt;
-  return arranged(viewpoint, room, tabletop, random);
+  Arrangement arrangement = arranged(viewpoint, room, tabletop, random);
+  arrangement.lighting.lamp.y() = -random.uniform(0.8, 2);  // before the shelf: boards above would darken it
+  return arrangement;
 }
 
 std::optional<Arrangement> lay_out_bin(const Viewpoint& viewpoint, double smallest, Random& random) {
@@ -214,7 +216,8 @@ std::optional<Arrangement> lay_out_in_room(Category category, const Camera& came
   if (category == Category::shelf) return lay_out_shelf(viewpoint, smallest, random);
   const Room room = random_room(random);
   const double reach = reach_of(viewpoint);
-  Tabletop tabletop(viewpoint, room.top, room.yaw, smallest, std::min(reach, random.uniform(0.15, 0.4)));
+  Tabletop tabletop(viewpoint, room.top, room.yaw, smallest, std::min(reach, random.uniform(0.15, 0.4)),
+                    random.chance(0.3) ? 0.5 : 0.98);
   Brands brands(random);
   const bool laid = category == Category::packages    ? lay_packages(tabletop, reach, brands, random)
                     : category == Category::groceries ? lay_groceries(tabletop, reach, brands, random)

@@ -14,7 +14,7 @@
 namespace gestalt {
 
 /// What is seen. The first six have a table alone and are named as the categories of the paper's data set; the others
-/// stand in a room that is measured too, before cameras from 0.3 to 2.5 m away.
+/// stand in a room that is measured too, before cameras from 0.3 to 2.2 m away.
 enum class Category {
   boxes,              ///< 1-4 boxes standing apart
   stacked_boxes,      ///< 2-5 boxes, at least two of them on top of each other

@@ -39,7 +39,7 @@ struct Settings {
 Settings draw_settings(double pixel, Random& random) {
   Settings settings;
   settings.noise = random.uniform(0.7, 2);
-  settings.noise_radius = pixel * random.uniform(0.6, 1.8);
+  settings.noise_radius = pixel * random.uniform(0.8, 2.4);
   settings.multipath = random.uniform(0.3, 1.3);
   settings.least_signal = 0.006 * std::pow(8, random.uniform());
   settings.lost_at_jumps = random.uniform(0.1, 0.6);
@@ -105,6 +105,35 @@ Facet facet_at(const IdealView& view, const Camera& camera, int u, int v, int st
   return facet;
 }
 
+/// multipath() of each facet.
+std::vector<float> excess_of(const std::vector<Facet>& facets) {
+  constexpr float farthest = 0.6f;  // metres: light over surfaces farther off is too weak
+  std::vector<float> excesses(facets.size(), 0.f);
+  for (std::size_t i = 0; i < facets.size(); ++i) {
+    const Facet& here = facets[i];
+    if (here.reflectance == 0) continue;
+    const float direct = here.facing / (here.range * here.range);
+    float excess = 0, indirect = 0;
+    for (const Facet& there : facets) {
+      if (there.reflectance == 0) continue;
+      const Eigen::Vector3f way = there.point - here.point;
+      const float squared = way.squaredNorm();
+      if (squared > farthest * farthest || squared < 1e-8f) continue;
+      const float out = way.dot(here.normal), in = -way.dot(there.normal);
+      if (out <= 0 || in <= 0) continue;
+      // The share of the light that leaves one for the other, in comparison with what is lit directly.
+      const float exchange = out * in * there.area / (float(CV_PI) * squared * std::max(squared, there.area));
+      const float light = there.reflectance * exchange * there.facing / (there.range * there.range) / direct;
+      const float detour = (std::sqrt(squared) + there.range - here.range) / 2;
+      indirect += light;
+      excess += light * detour;
+    }
+    const float range = excess / (1 + indirect);
+    excesses[i] = std::clamp(range, 0.f, 0.05f) * here.point.z() / here.range;
+  }
+  return excesses;
+}
+
 /// The mean depth around a jump, weighted by the light that comes back: the pixel sees both surfaces.
 float mixed_depth(const IdealView& view, int u, int v, int radius) {
   float sum = 0, weights = 0;
@@ -130,33 +159,31 @@ cv::Mat_<float> multipath(const IdealView& view, const Camera& camera) {
     for (int column = 0; column < grid.width; ++column)
       facets.push_back(facet_at(view, camera, column * step + step / 2, row * step + step / 2, step));
 
-  constexpr float farthest = 0.6f;  // metres: light over surfaces farther off is too weak
-  cv::Mat_<float> coarse(grid, 0.f);
-  for (std::size_t i = 0; i < facets.size(); ++i) {
-    const Facet& here = facets[i];
-    if (here.reflectance == 0) continue;
-    const float direct = here.facing / (here.range * here.range);
-    float excess = 0, indirect = 0;
-    for (const Facet& there : facets) {
-      if (there.reflectance == 0) continue;
-      const Eigen::Vector3f way = there.point - here.point;
-      const float squared = way.squaredNorm();
-      if (squared > farthest * farthest || squared < 1e-8f) continue;
-      const float out = way.dot(here.normal), in = -way.dot(there.normal);
-      if (out <= 0 || in <= 0) continue;
-      // The share of the light that leaves one for the other, in comparison with what is lit directly.
-      const float exchange = out * in * there.area / (float(CV_PI) * squared * std::max(squared, there.area));
-      const float light = there.reflectance * exchange * there.facing / (there.range * there.range) / direct;
-      const float detour = (std::sqrt(squared) + there.range - here.range) / 2;
-      indirect += light;
-      excess += light * detour;
+  const std::vector<float> coarse = excess_of(facets);
+  cv::Mat_<float> bias(view.depth.size(), 0.f);
+  for (int v = 0; v < bias.rows; ++v)
+    for (int u = 0; u < bias.cols; ++u) {
+      const float z = view.depth(v, u);
+      if (z <= 0) continue;
+      const Eigen::Vector3f point(float((u - camera.cx) / camera.fx) * z, float((v - camera.cy) / camera.fy) * z, z);
+      // Bilinear, but of facets in whose plane the point lies.
+      const float x = (float(u) - float(step / 2)) / float(step), y = (float(v) - float(step / 2)) / float(step);
+      const int left = int(std::floor(x)), top = int(std::floor(y));
+      float sum = 0, weights = 0;
+      for (int row = std::max(0, top); row <= std::min(top + 1, grid.height - 1); ++row)
+        for (int column = std::max(0, left); column <= std::min(left + 1, grid.width - 1); ++column) {
+          const auto index = std::size_t(row * grid.width + column);
+          const Facet& facet = facets[index];
+          if (facet.reflectance == 0) continue;
+          const float off_plane = facet.normal.dot(point - facet.point) / 0.005f;
+          const float near = (1 - std::abs(x - float(column))) * (1 - std::abs(y - float(row)));
+          const float weight = (near + 1e-3f) / (1 + off_plane * off_plane);
+          sum += weight * coarse[index];
+          weights += weight;
+        }
+      bias(v, u) = weights > 0 ? sum / weights : 0.f;
     }
-    const float range = excess / (1 + indirect);
-    coarse(int(i) / grid.width, int(i) % grid.width) = std::clamp(range, 0.f, 0.05f) * here.point.z() / here.range;
-  }
-  cv::Mat_<float> bias;
-  cv::resize(coarse, bias, {grid.width * step, grid.height * step}, 0, 0, cv::INTER_LINEAR);
-  return bias(cv::Rect(0, 0, camera.width, camera.height));
+  return bias;
 }
 
 Measurement measure_time_of_flight(const IdealView& view, const Camera& camera, Random& random) {

@@ -14,8 +14,8 @@ namespace gestalt::synthesis {
 constexpr double time_of_flight_camera_x = -0.032;   ///< metres along the colour camera's x axis: Azure Kinect
 constexpr double time_of_flight_focal_length = 504;  ///< pixels: Azure Kinect, narrow field, 640x576
 
-/// Deviation of depth (metres) at z: 0.5 mm + 0.001 z, the trend of Toelgyessy et al., Evaluation of the Azure Kinect,
-/// Sensors 21 (2021), Table 5 and Fig. 14.
+/// Deviation of depth (metres) at z: 0.5 mm + 0.001 z, of the magnitude that Toelgyessy et al. find (Evaluation of
+/// the Azure Kinect and its comparison to Kinect V1 and V2, Sensors 21, 2021).
 double time_of_flight_deviation(double z);
 
 /// How much farther (metres along the optical axis) each pixel appears for light that comes over another surface:
