@@ -101,9 +101,9 @@ cv::Mat_<float> texture_of(const cv::Mat_<float>& brightness, int radius) {
   return deviation;
 }
 
-/// Share of lost pixels by the angle between ray and normal: none up to 78 degrees, all from 87 on.
+/// Share of lost pixels by the angle between ray and normal: none up to 82 degrees, all from 88.5 on.
 double lost_at(double slant) {
-  constexpr double none = 0.2, all = 0.05;  // cosines
+  constexpr double none = 0.14, all = 0.026;  // cosines
   return std::clamp((none - slant) / (none - all), 0.0, 1.0);
 }
 
@@ -155,7 +155,7 @@ Measurement measure_active_stereo(const IdealView& view, const Camera& camera, R
       if ((u - camera.cx) / camera.fx - right_imager_x / z < -settings.half_field) continue;
       const double slant = double(view.slant(v, u));
       const double dark = std::clamp((22 - double(brightness(v, u))) / 22, 0.0, 1.0);
-      const double kept = (1 - lost_at(std::max(slant, beside(v, u) ? 0.2 : 0.0))) * (1 - 0.6 * dark) *
+      const double kept = (1 - lost_at(std::max(slant, beside(v, u) ? 0.14 : 0.0))) * (1 - 0.6 * dark) *
                           (beside(v, u) ? 1 - settings.lost_at_jumps : 1.0);
       if (kept < 1 && loss(v, u) > exceeded_with(1 - kept)) continue;
       const double lost = settings.lost_in_patches + (texture(v, u) < 1.2f ? settings.lost_on_plain : 0.0);

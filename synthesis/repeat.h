@@ -23,7 +23,7 @@ bool repeat(int count, Add&& add) {
 template <typename Add>
 bool repeat_as_fits(int count, int least, Add&& add) {
   int done = 0;
-  for (int failures = 0; done < count && failures < 4 + count / 2;) ++(add() ? done : failures);
+  for (int failures = 0; done < count && failures < 6 + count;) ++(add() ? done : failures);
   return done >= least;
 }
 

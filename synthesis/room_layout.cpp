@@ -146,8 +146,9 @@ bool lay_bin(Tabletop& tabletop, const Eigen::Vector3d& inner, const Eigen::Isom
     return pack(tabletop, {corner, Eigen::Vector2d(corner + size)}, pose, random.integer(1, 2), brands, random);
   }
   const Ways ways = random.chance(0.5) ? Ways{0.05, 0.2, 0.65} : Ways{0.15, 0.3, 0.2};
-  return repeat_as_fits(random.integer(2, 14), 2, [&] {
-    return add_one(tabletop, fitting(0.9 * inner.head<2>().minCoeff(), brands, random), ways, random);
+  return repeat_as_fits(random.integer(3, 14), 2, [&] {
+    return add_one(tabletop, fitting(random.uniform(0.4, 0.9) * inner.head<2>().minCoeff(), brands, random), ways,
+                   random);
   });
 }
 
