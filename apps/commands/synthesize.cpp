@@ -107,7 +107,6 @@ void add_synthesize(CLI::App& app, Run& run) {
                                    ->type_name("PX");
   command
       .add_option("--camera", options->camera, "Intrinsics and size of the images, in place of the three options above")
-      ->check(CLI::ExistingFile)
       ->type_name("FILE")
       ->excludes(&width)
       ->excludes(&height)
