@@ -43,9 +43,9 @@ Settings draw_settings(const Camera& camera, double pixel, Random& random) {
   settings.deviation = random.uniform(0.03, 0.1);
   settings.bump = pixel * random.uniform(2.5, 8);
   settings.grain = random.uniform(0.03, 0.25);
-  settings.lost_at_jumps = random.uniform(0, 0.3);
-  settings.lost_on_plain = random.chance(0.25) ? random.uniform(0.02, 0.25) : 0.0;
-  settings.lost_in_patches = random.chance(0.5) ? random.uniform(0, 0.012) : 0.0;
+  settings.lost_at_jumps = random.chance(0.3) ? 0.0 : random.uniform(0, 0.4);
+  settings.lost_on_plain = random.chance(0.15) ? random.uniform(0.02, 0.25) : 0.0;
+  settings.lost_in_patches = random.chance(0.5) ? random.uniform(0, 0.006) : 0.0;
   settings.half_field = camera.cx / camera.fx * random.uniform(0.98, 1.12);
   settings.fills_holes = random.chance(0.125);
   return settings;
@@ -127,7 +127,7 @@ Measurement measure_active_stereo(const IdealView& view, const Camera& camera, R
   const Settings settings = draw_settings(camera, pixel, random);
   const cv::Mat_<float> wander = smooth_noise(size, 3 * pixel, random);
   const cv::Mat_<float> grain = smooth_noise(size, 0.7 * pixel, random);
-  const cv::Mat_<float> bumps = smooth_noise(size, settings.bump, random);
+  const cv::Mat_<float> bumps = broad_noise(size, settings.bump, random);
   const cv::Mat_<float> waves = broad_noise(size, 20 * pixel, random);
   const cv::Mat_<float> loss = smooth_noise(size, 2.5 * pixel, random);
   const cv::Mat_<float> patches = broad_noise(size, 8 * pixel, random);
@@ -136,6 +136,7 @@ Measurement measure_active_stereo(const IdealView& view, const Camera& camera, R
   cv::Mat_<float> seen(size, 0.f);
   view.depth.copyTo(seen, view.measurable);
   const cv::Mat_<uchar> beside = beside_jumps(seen, std::max(1, int(std::lround(settings.fattening + pixel))));
+  const cv::Mat_<uchar> at_jump = beside_jumps(seen, std::max(1, int(std::lround(0.6 * pixel))));
   matches = fattened(matches, beside, settings.fattening, wander);
   // Twice: the middle of a window weighs more than its rim.
   for (int pass = 0; pass < 2; ++pass)
@@ -156,7 +157,7 @@ Measurement measure_active_stereo(const IdealView& view, const Camera& camera, R
       const double slant = double(view.slant(v, u));
       const double dark = std::clamp((22 - double(brightness(v, u))) / 22, 0.0, 1.0);
       const double kept = (1 - lost_at(std::max(slant, beside(v, u) ? 0.14 : 0.0))) * (1 - 0.6 * dark) *
-                          (beside(v, u) ? 1 - settings.lost_at_jumps : 1.0);
+                          (at_jump(v, u) ? 1 - settings.lost_at_jumps : 1.0);
       if (kept < 1 && loss(v, u) > exceeded_with(1 - kept)) continue;
       const double lost = settings.lost_in_patches + (texture(v, u) < 1.2f ? settings.lost_on_plain : 0.0);
       if (lost > 0 && patches(v, u) > exceeded_with(lost)) continue;

@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <cstddef>
 #include <opencv2/imgproc.hpp>
 
 namespace gestalt::synthesis {
@@ -20,19 +21,20 @@ cv::Mat_<uchar> beside_jumps(const cv::Mat_<float>& depth, int radius) {
 
 namespace {
 
+/// The mean along the rows (du, dv = 1, 0) or columns (0, 1).
 cv::Mat_<float> mean_along(const cv::Mat_<float>& values, int du, int dv, int radius, float tolerance) {
   cv::Mat_<float> means(values.size(), 0.f);
-  const cv::Rect image({0, 0}, values.size());
+  const auto step = std::ptrdiff_t(values.step1()) * dv + du;
   for (int v = 0; v < values.rows; ++v)
     for (int u = 0; u < values.cols; ++u) {
-      const float own = values(v, u);
+      const float* const centre = &values(v, u);
+      const float own = *centre;
       if (own == 0) continue;
+      const int before = du * u + dv * v, after = du * (values.cols - 1 - u) + dv * (values.rows - 1 - v);
       float sum = 0;
       int count = 0;
-      for (int i = -radius; i <= radius; ++i) {
-        const cv::Point at(u + i * du, v + i * dv);
-        if (!image.contains(at)) continue;
-        const float value = values(at);
+      for (int i = -std::min(radius, before); i <= std::min(radius, after); ++i) {
+        const float value = centre[i * step];
         if (value == 0 || std::abs(value - own) >= tolerance) continue;
         sum += value;
         ++count;
