@@ -122,7 +122,7 @@ double stereo_deviation(double z, double disparity_deviation) { return z * z * d
 
 Measurement measure_active_stereo(const IdealView& view, const Camera& camera, Random& random) {
   const cv::Size size = view.depth.size();
-  // Of the imagers' own image, half as fine as which the device matches and interpolates up.
+  // The settings below are fitted to frames of a D435 whose colour camera has this focal length.
   const double pixel = std::max(camera.fx / 613, 0.3);
   const Settings settings = draw_settings(camera, pixel, random);
   const cv::Mat_<float> wander = smooth_noise(size, 3 * pixel, random);

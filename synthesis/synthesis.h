@@ -22,7 +22,7 @@ enum class Category {
   cylindric_objects,  ///< 2-6 cans, mugs, bowls and bottles
   mixed_objects,      ///< 5-9 things of every kind, some stacked, some side by side
   complex_scene,      ///< 15-20 things in a heap
-  packages,           ///< 3-18 cartons and parcels flush with each other in rows, blocks and stacks, others beside
+  packages,           ///< cartons and parcels flush with each other in rows, blocks and stacks, others beside
   groceries,          ///< 5-18 boxes, cans, bottles and bags, in heaps, rows and stacks
   bin,                ///< 2-14 things in a tote or cardboard box, which is background
   thin_and_small,     ///< 4-14 flat, thin and small things
