@@ -20,11 +20,6 @@ Eigen::Vector3d extent(const Mesh& mesh) {
   return (high - low).cast<double>();
 }
 
-Body made_of(Mesh mesh, std::vector<Texture> parts) {
-  const Eigen::Vector3d size = extent(mesh);
-  return {std::move(mesh), {std::move(parts)}, size};
-}
-
 Body can(const Palette& palette, Random& random) {
   static const double radii[] = {0.026, 0.033, 0.037, 0.042, 0.05, 0.075, 0.1};
   const double usual = random.pick(radii), radius = usual * random.uniform(0.92, 1.08);
@@ -110,6 +105,11 @@ Eigen::Vector3d random_carton_size(Random& random) {
 }
 
 }  // namespace
+
+Body made_of(Mesh mesh, std::vector<Texture> parts) {
+  const Eigen::Vector3d size = extent(mesh);
+  return {std::move(mesh), {std::move(parts)}, size};
+}
 
 Body carton(const Eigen::Vector3d& size, const Palette& palette, Random& random) {
   const Eigen::Vector2d faces[] = {{size.x(), size.z()}, {size.y(), size.z()}, {size.x(), size.y()}};

@@ -20,6 +20,9 @@ struct Body {
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< own frame to world
 };
 
+/// At the origin, wearing these textures.
+Body made_of(Mesh mesh, std::vector<Texture> parts);
+
 /// A carton of this size.
 Body carton(const Eigen::Vector3d& size, const Palette& palette, Random& random);
 

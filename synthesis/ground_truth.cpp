@@ -41,7 +41,7 @@ cv::Mat_<std::uint16_t> label_parts(const cv::Mat_<std::uint16_t>& depth, const 
   std::map<int, std::vector<Part>> parts_of;
   for (int v = 0; v < depth.rows; ++v)
     for (int u = 0; u < depth.cols; ++u)
-      if (depth(v, u) && !taken(v, u)) parts_of[body(v, u)].push_back(grow({u, v}, depth, body, taken));
+      if (depth(v, u) && !taken(v, u)) parts_of[std::max(body(v, u), 0)].push_back(grow({u, v}, depth, body, taken));
 
   cv::Mat_<std::uint16_t> labels(depth.size(), std::uint16_t(0));
   for (auto& [thing, parts] : parts_of) {

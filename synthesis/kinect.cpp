@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <opencv2/imgproc.hpp>
+
+#include "depth_jumps.h"
+#include "smooth_noise.h"
 
 namespace gestalt::synthesis {
 
@@ -13,36 +15,11 @@ namespace {
 
 constexpr double baseline = projector_x - infrared_camera_x;
 
-/// Normal noise with mean 0 and variance 1 that varies smoothly over about `radius` pixels.
-cv::Mat_<float> smooth_noise(cv::Size size, double radius, Random& random) {
-  cv::Mat_<float> noise(size);
-  for (float& value : noise) value = random.normal();
-  cv::GaussianBlur(noise, noise, {}, radius, radius, cv::BORDER_REFLECT_101);
-  // A Gaussian of deviation r divides the variance of white noise by 4 pi r^2.
-  return noise * (2 * std::sqrt(CV_PI) * radius);
-}
-
 /// The depth that comes out for a true depth with this error in disparity (pixels).
 double measured_depth(double depth, double error) {
   const double disparity = infrared_focal_length * baseline / depth + error;
   const double quantised = disparity_step * std::round(disparity / disparity_step);
   return infrared_focal_length * baseline / std::max(quantised, disparity_step);
-}
-
-/// 255 within `radius` pixels of a depth jump (between measured surfaces, or to nothing).
-cv::Mat_<uchar> beside_jumps(const cv::Mat_<float>& depth, int radius) {
-  const cv::Mat box = cv::getStructuringElement(cv::MORPH_RECT, {2 * radius + 1, 2 * radius + 1});
-  cv::Mat nearest, farthest;
-  cv::erode(depth, nearest, box);
-  cv::dilate(depth, farthest, box);
-  // A plane seen at 60 degrees changes by 0.003 of its depth per pixel: no jump.
-  return farthest - nearest > 0.02 * farthest;
-}
-
-/// Normal noise exceeds the result with this probability (a logistic approximation, within 0.02).
-float exceeded_with(double probability) {
-  const double p = std::clamp(probability, 1e-4, 1 - 1e-4);
-  return float(std::log((1 - p) / p) / 1.702);
 }
 
 /// Share of lost pixels by the angle between ray and normal: none up to 75 degrees, all from 86.5 on.
@@ -55,7 +32,7 @@ double lost_at(double slant) {
 
 double depth_step(double z) { return z * z * disparity_step / (infrared_focal_length * baseline); }
 
-Measurement measure_depth(const IdealView& view, const Camera& camera, Random& random) {
+Measurement measure_structured_light(const IdealView& view, const Camera& camera, Random& random) {
   const cv::Size size = view.depth.size();
   // The correlation window of the sensor and the jitter are in pixels of its own image, 525 to the radian.
   const double pixel = std::max(camera.fx / 525, 0.3);
@@ -92,21 +69,6 @@ Measurement measure_depth(const IdealView& view, const Camera& camera, Random& r
       measurement.body(v, u) = view.body(t, s);
     }
   return measurement;
-}
-
-cv::Mat measure_colour(const IdealView& view, Random& random) {
-  cv::Mat_<cv::Vec3f> colour = view.colour.clone();
-  for (cv::Vec3f& pixel : colour) {
-    // Shot noise, most of it shared by the channels, on top of the noise of reading out.
-    const float brightness = (pixel[0] + pixel[1] + pixel[2]) / 3;
-    const float deviation = std::sqrt(4.f + 0.12f * brightness);
-    const float shared = random.normal();
-    for (int c = 0; c < 3; ++c) pixel[c] += deviation * (0.8f * shared + 0.6f * random.normal());
-  }
-  cv::Mat blurred, result;
-  cv::GaussianBlur(colour, blurred, {}, 0.75);
-  blurred.convertTo(result, CV_8U);
-  return result;
 }
 
 }  // namespace gestalt::synthesis

@@ -7,6 +7,9 @@
 #include <cmath>
 #include <numbers>
 
+#include "brands.h"
+#include "repeat.h"
+#include "room_layout.h"
 #include "shapes.h"
 #include "tabletop.h"
 
@@ -34,8 +37,8 @@ Framing framing_of(Category category) {
       return {0.7, 1.05, 32, 58, 0.2};
     case Category::mixed_objects:
       return {0.8, 1.1, 32, 58, 0.24};
-    case Category::complex_scene:
-      break;
+    default:
+      break;  // complex_scene
   }
   return {0.85, 1.1, 38, 60, 0.26};
 }
@@ -51,20 +54,6 @@ Viewpoint look_at_table(const Camera& camera, const Framing& framing, Random& ra
   viewpoint.pose.linear() *= Eigen::AngleAxisd(degree * random.uniform(-3, 3), Eigen::Vector3d::UnitZ()).matrix();
   viewpoint.pose.translation() = target - distance * forward;
   return viewpoint;
-}
-
-Lighting light(Random& random) {
-  Lighting lighting;
-  lighting.lamp << random.uniform(-1.2, 1.2), random.uniform(-0.8, 1.2), random.uniform(1.5, 2.4);
-  lighting.lamp_radius = random.uniform(0.15, 0.5);
-  lighting.window =
-      Eigen::Vector3d{random.chance(0.5) ? 1.0 : -1.0, random.uniform(-1, 0.4), random.uniform(0.4, 1)}.normalized();
-  const double brightness = random.uniform(0.9, 1.1);
-  lighting.lamp_strength = brightness * random.uniform(0.5, 0.7);
-  lighting.window_strength = brightness * random.uniform(0.1, 0.25);
-  lighting.ambient = brightness * random.uniform(0.42, 0.58);
-  for (int c = 0; c < 3; ++c) lighting.tint[c] = float(random.uniform(0.93, 1.07));
-  return lighting;
 }
 
 struct Furniture {
@@ -110,34 +99,6 @@ std::vector<Body> surround(Random& random) {
       1, 1, {8, 4}, 0);
   back.paint.parts = {room(8, 4, random)};
   return {ground, back};
-}
-
-/// Gives each new thing its colours: now and then nearly those of the thing before.
-class Brands {
- public:
-  explicit Brands(Random& random) : random_(random), palette_(random_palette(random)) {}
-  const Palette& next() {
-    palette_ = random_.chance(0.2) ? similar_palette(palette_, random_) : random_palette(random_);
-    return palette_;
-  }
-
- private:
-  Random& random_;
-  Palette palette_;
-};
-
-/// Calls add until it has succeeded count times; false after too many failures.
-template <typename Add>
-bool repeat(int count, Add&& add) {
-  int failures = 0;
-  for (int done = 0; done < count;) {
-    if (add()) {
-      ++done;
-    } else if (++failures > 5 + 2 * count) {
-      return false;
-    }
-  }
-  return true;
 }
 
 Kind any_kind(Random& random) {
@@ -270,8 +231,8 @@ bool lay(Category category, Tabletop& tabletop, Random& random) {
       return lay_cylindric_objects(tabletop, brands, random);
     case Category::mixed_objects:
       return lay_mixed_objects(tabletop, brands, random);
-    case Category::complex_scene:
-      break;
+    default:
+      break;  // complex_scene
   }
   return lay_complex_scene(tabletop, brands, random);
 }
@@ -279,6 +240,7 @@ bool lay(Category category, Tabletop& tabletop, Random& random) {
 }  // namespace
 
 std::optional<Arrangement> lay_out(Category category, const Camera& camera, Random& random) {
+  if (category > Category::complex_scene) return lay_out_in_room(category, camera, random);
   const Framing framing = framing_of(category);
   const Viewpoint viewpoint = look_at_table(camera, framing, random);
   const Furniture furniture = furnish(random);
@@ -286,7 +248,7 @@ std::optional<Arrangement> lay_out(Category category, const Camera& camera, Rand
   const double smallest = 1.6 * smallest_object(camera);
   Tabletop tabletop(viewpoint, furniture.top, furniture.yaw, smallest, framing.working_radius);
   if (!lay(category, tabletop, random)) return std::nullopt;
-  return Arrangement{viewpoint, light(random), furniture.table, surround(random), tabletop.bodies()};
+  return Arrangement{viewpoint, random_lighting(random), furniture.table, surround(random), {}, tabletop.bodies()};
 }
 
 }  // namespace gestalt::synthesis

@@ -8,18 +8,11 @@
 
 #include "body.h"
 #include "gestalt/synthesis/synthesis.h"
+#include "lighting.h"
 #include "random.h"
 #include "viewpoint.h"
 
 namespace gestalt::synthesis {
-
-struct Lighting {
-  Eigen::Vector3d lamp;      ///< centre of a round ceiling lamp, world, metres
-  double lamp_radius = 0.2;  ///< metres; makes shadows soft
-  Eigen::Vector3d window;    ///< unit direction towards a second light without shadows
-  double lamp_strength, window_strength, ambient;
-  cv::Vec3f tint{1, 1, 1};  ///< blue, green, red gain
-};
 
 /// Everything that is seen. World frame: metres, z up, the table top at z = 0, the origin where the things are.
 struct Arrangement {
@@ -27,6 +20,7 @@ struct Arrangement {
   Lighting lighting;
   Body table;
   std::vector<Body> surroundings;  ///< floor and wall: seen, but beyond what is measured
+  std::vector<Body> furniture;     ///< measured background: bin, shelf, legs of the table, room
   std::vector<Body> things;
 };
 

@@ -23,6 +23,7 @@ struct Texture {
 /// One texture for each part of a mesh; parts beyond the last wear the last.
 struct Paint {
   std::vector<Texture> parts;
+  float gloss = 0;  ///< share of the lamp that it mirrors, 0-1
   const Texture& of(int part) const { return parts[std::min(std::size_t(part), parts.size() - 1)]; }
 };
 

@@ -11,12 +11,17 @@
 #include <opencv2/imgproc.hpp>
 
 #include "ray_caster.h"
+#include "sensor.h"
 
 namespace gestalt::synthesis {
 
 namespace {
 
 constexpr int pattern = 5;  // the lamp is sampled by pattern x pattern points, each pixel of a block taking one
+
+/// The exponent of highlights (Blinn, Models of light reflection for computer synthesized pictures, 1977): 6 degrees
+/// wide.
+constexpr float sharpness = 120;
 
 /// Points spread evenly over the lamp's disc.
 std::array<Eigen::Vector3f, pattern * pattern> points_on(const Lighting& lighting) {
@@ -53,25 +58,27 @@ cv::Mat_<float> smooth_light(const cv::Mat_<float>& lit, const cv::Mat_<int>& bo
 
 }  // namespace
 
-IdealView render(const Arrangement& arrangement) {
+IdealView render(const Arrangement& arrangement, SensorModel sensor) {
   std::vector<const Body*> bodies{&arrangement.table};
   for (const Body& thing : arrangement.things) bodies.push_back(&thing);
-  const int measured = int(bodies.size());
+  const int surroundings = int(bodies.size());
   for (const Body& body : arrangement.surroundings) bodies.push_back(&body);
+  const int furniture = int(bodies.size());
+  for (const Body& body : arrangement.furniture) bodies.push_back(&body);
   const RayCaster caster(bodies);
 
   const Camera& camera = arrangement.viewpoint.camera;
   const Eigen::Isometry3f pose = arrangement.viewpoint.pose.cast<float>();
   const Eigen::Vector3f eye = pose.translation();
-  const Eigen::Vector3f infrared_camera = pose * Eigen::Vector3f(float(infrared_camera_x), 0, 0);
-  const Eigen::Vector3f projector = pose * Eigen::Vector3f(float(projector_x), 0, 0);
+  std::vector<Eigen::Vector3f> sensor_eyes;
+  for (const double x : eyes_of(sensor)) sensor_eyes.push_back(pose * Eigen::Vector3f(float(x), 0, 0));
   const Lighting& lighting = arrangement.lighting;
   const auto lamp_points = points_on(lighting);
 
   const cv::Size size(camera.width, camera.height);
   IdealView view{{size, cv::Vec3f(0, 0, 0)}, {size, IdealView::nothing}, {size, 0.f}, {size, 0.f}, {size, uchar(0)}};
   cv::Mat_<cv::Vec3f> albedo(size, cv::Vec3f(0, 0, 0));
-  cv::Mat_<float> lamp(size, 0.f), rest(size, 0.f), lit(size, 1.f), distance(size, 0.f);
+  cv::Mat_<float> lamp(size, 0.f), shine(size, 0.f), rest(size, 0.f), lit(size, 1.f), distance(size, 0.f);
   cv::Mat_<int> surface(size, -1);
   for (int v = 0; v < camera.height; ++v)
     for (int u = 0; u < camera.width; ++u) {
@@ -83,11 +90,12 @@ IdealView render(const Arrangement& arrangement) {
       const float slant = -hit.normal.dot(direction) / ray.norm();
       surface(v, u) = hit.body;
       distance(v, u) = hit.distance;  // the ray's z is 1
-      if (hit.body < measured) {
-        view.body(v, u) = hit.body;
+      if (hit.body < surroundings || hit.body >= furniture) {
+        view.body(v, u) = hit.body < surroundings ? hit.body : IdealView::first_furniture - (hit.body - furniture);
         view.depth(v, u) = hit.distance;
         view.slant(v, u) = slant;
-        view.measurable(v, u) = caster.visible(point, infrared_camera) && caster.visible(point, projector);
+        view.measurable(v, u) = std::all_of(sensor_eyes.begin(), sensor_eyes.end(),
+                                            [&](const Eigen::Vector3f& from) { return caster.visible(point, from); });
       }
       const Eigen::Vector3f& lamp_point = lamp_points[std::size_t((v % pattern) * pattern + u % pattern)];
       const Eigen::Vector3f to_lamp = (lighting.lamp.cast<float>() - point).normalized();
@@ -95,6 +103,10 @@ IdealView render(const Arrangement& arrangement) {
       lit(v, u) = lambert > 0 && caster.visible(point, lamp_point) ? 1.f : 0.f;
       albedo(v, u) = bodies[std::size_t(hit.body)]->paint.of(hit.part).sample(hit.texture);
       lamp(v, u) = float(lighting.lamp_strength) * lambert;
+      if (const float gloss = bodies[std::size_t(hit.body)]->paint.gloss; gloss > 0) {
+        const Eigen::Vector3f halfway = (to_lamp - direction.normalized()).normalized();
+        shine(v, u) = gloss * 255 * std::pow(std::max(0.f, hit.normal.dot(halfway)), sharpness);
+      }
       // Light from above and the window reach everywhere, walls of hollows and undersides less.
       rest(v, u) = float(lighting.ambient) * (0.75f + 0.25f * hit.normal.z()) +
                    float(lighting.window_strength) * std::max(0.f, hit.normal.dot(lighting.window.cast<float>()));
@@ -106,7 +118,7 @@ IdealView render(const Arrangement& arrangement) {
       const double x = (u - camera.cx) / camera.fx, y = (v - camera.cy) / camera.fy;
       const auto vignette = float(1 / (1 + 0.6 * (x * x + y * y)));
       const float light = vignette * (lamp(v, u) * lamp_share(v, u) + rest(v, u));
-      view.colour(v, u) = (light * albedo(v, u)).mul(lighting.tint);
+      view.colour(v, u) = (light * albedo(v, u)).mul(lighting.tint) + cv::Vec3f::all(shine(v, u) * lamp_share(v, u));
     }
   return view;
 }

@@ -10,21 +10,18 @@ namespace gestalt::synthesis {
 
 /// What a perfect sensor sees, pixel by pixel.
 struct IdealView {
-  static constexpr int nothing = -1;  ///< floor, wall or sky
-  static constexpr int table = 0;     ///< things are 1, 2, ... in the order of the arrangement
+  static constexpr int nothing = -1;          ///< floor, wall or sky, beyond what is measured
+  static constexpr int table = 0;             ///< things are 1, 2, ... in the order of the arrangement
+  static constexpr int first_furniture = -2;  ///< further pieces are -3, -4, ... in the order of the arrangement
 
   cv::Mat_<cv::Vec3f> colour;  ///< 0-255, blue green red, without noise and blur
-  cv::Mat_<int> body;          ///< nothing, table or the number of the thing
+  cv::Mat_<int> body;          ///< nothing, table or the number of the thing or piece of furniture
   cv::Mat_<float> depth;       ///< metres along the optical axis; 0 where there is nothing
   cv::Mat_<float> slant;       ///< cosine between the surface's normal and the ray, 0-1; 0 where there is nothing
   cv::Mat_<uchar> measurable;  ///< 1 where the depth sensor's camera and its projector both see the surface
 };
 
-/// The colour camera of a Kinect, to which depth is registered, stands between the infrared camera (on its left) and
-/// the projector (right): what either of them does not see has no depth. Metres along the camera's x axis. Their
-/// distance, 7.5 cm, is the baseline of Khoshelham & Elberink (2012).
-constexpr double infrared_camera_x = -0.025, projector_x = 0.05;
-
-IdealView render(const Arrangement& arrangement);
+/// measurable is for this sensor.
+IdealView render(const Arrangement& arrangement, SensorModel sensor = SensorModel::structured_light);
 
 }  // namespace gestalt::synthesis

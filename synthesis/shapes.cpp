@@ -144,4 +144,61 @@ Mesh extrusion(const std::vector<Eigen::Vector2d>& outline, double height) {
   return mesh;
 }
 
+Mesh pillow(const Eigen::Vector3d& size) {
+  const double seam = 0.25 * size.z();  // height at which top and bottom meet
+  const auto bulge = [](double u, double v) {
+    const auto across = [](double t) { return std::max(0.0, 1 - std::pow(std::abs(2 * t - 1), 4)); };
+    return std::sqrt(across(u) * across(v));
+  };
+  Mesh mesh;
+  const auto top = [&](double u, double v) -> Eigen::Vector3d {
+    return {(u - 0.5) * size.x(), (0.5 - v) * size.y(), seam + (size.z() - seam) * bulge(u, v)};
+  };
+  const auto bottom = [&](double u, double v) -> Eigen::Vector3d {
+    return {(u - 0.5) * size.x(), (v - 0.5) * size.y(), seam * (1 - bulge(u, v))};
+  };
+  constexpr int cells = 20;
+  add_sheet(mesh, top, cells, cells, size.head<2>(), 0);
+  add_sheet(mesh, bottom, cells, cells, size.head<2>(), 1);
+  return mesh;
+}
+
+Mesh pouch(const Eigen::Vector3d& size) {
+  Mesh mesh;
+  // u along the width; v from the top down. Sides are seams: the depth goes to nothing there.
+  const auto half_depth = [&](double u, double v) {
+    const double across = std::sqrt(std::max(0.0, 1 - std::pow(std::abs(2 * u - 1), 4)));
+    return size.y() / 2 * across * std::sqrt(std::clamp(v, 0.0, 1.0));
+  };
+  const auto front = [&](double u, double v) -> Eigen::Vector3d {
+    return {(u - 0.5) * size.x(), -half_depth(u, v), (1 - v) * size.z()};
+  };
+  const auto back = [&](double u, double v) -> Eigen::Vector3d {
+    return {(0.5 - u) * size.x(), half_depth(u, v), (1 - v) * size.z()};
+  };
+  const auto bottom = [&](double u, double v) -> Eigen::Vector3d {
+    return {(u - 0.5) * size.x(), (2 * v - 1) * half_depth(u, 1), 0};
+  };
+  constexpr int cells = 20;
+  add_sheet(mesh, front, cells, cells, {size.x(), size.z()}, 0);
+  add_sheet(mesh, back, cells, cells, {size.x(), size.z()}, 1);
+  add_sheet(mesh, bottom, cells, 2, size.head<2>(), 2);
+  return mesh;
+}
+
+void join(Mesh& mesh, const Mesh& other, const Eigen::Isometry3d& pose, int first_part) {
+  const int first = int(mesh.vertices.size());
+  const Eigen::Isometry3f moved = pose.cast<float>();
+  for (Vertex vertex : other.vertices) {
+    vertex.position = moved * vertex.position;
+    vertex.normal = moved.linear() * vertex.normal;
+    mesh.vertices.push_back(vertex);
+  }
+  for (Triangle triangle : other.triangles) {
+    for (int& corner : triangle.corners) corner += first;
+    triangle.part += first_part;
+    mesh.triangles.push_back(triangle);
+  }
+}
+
 }  // namespace gestalt::synthesis

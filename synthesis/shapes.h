@@ -2,7 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <Eigen/Core>
+#include <Eigen/Geometry>
 #include <functional>
 #include <numbers>
 #include <vector>
@@ -48,5 +48,15 @@ Mesh superellipsoid(const Eigen::Vector3d& half_axes, double e1, double e2);
 
 /// A prism over an outline that is star-shaped about the origin: parts 0 sides, 1 top, 2 bottom.
 Mesh extrusion(const std::vector<Eigen::Vector2d>& outline, double height);
+
+/// A bag that lies: flat seams all round, a bulging top. size.z is its thickness. Parts 0 top, 1 bottom.
+Mesh pillow(const Eigen::Vector3d& size);
+
+/// A bag that stands: a flat bottom size.x wide and size.y deep, closed to a line at the top. Parts 0 front, 1 back,
+/// 2 bottom.
+Mesh pouch(const Eigen::Vector3d& size);
+
+/// Adds another solid, moved; its parts are numbered on from `first_part`.
+void join(Mesh& mesh, const Mesh& other, const Eigen::Isometry3d& pose, int first_part);
 
 }  // namespace gestalt::synthesis

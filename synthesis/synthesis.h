@@ -13,7 +13,8 @@
 
 namespace gestalt {
 
-/// What lies on the table, named as the categories of the paper's data set.
+/// What is seen. The first six have a table alone and are named as the categories of the paper's data set; the others
+/// stand in a room that is measured too, before cameras from 0.3 to 2.2 m away.
 enum class Category {
   boxes,              ///< 1-4 boxes standing apart
   stacked_boxes,      ///< 2-5 boxes, at least two of them on top of each other
@@ -21,6 +22,11 @@ enum class Category {
   cylindric_objects,  ///< 2-6 cans, mugs, bowls and bottles
   mixed_objects,      ///< 5-9 things of every kind, some stacked, some side by side
   complex_scene,      ///< 15-20 things in a heap
+  packages,           ///< cartons and parcels flush with each other in rows, blocks and stacks, others beside
+  groceries,          ///< 5-18 boxes, cans, bottles and bags, in heaps, rows and stacks
+  bin,                ///< 2-14 things in a tote or cardboard box, which is background
+  thin_and_small,     ///< 4-14 flat, thin and small things
+  shelf,              ///< 3-14 things in rows on a board between walls
 };
 
 /// In the order of the enumeration.
@@ -31,11 +37,25 @@ const std::string& name_of(Category category);
 /// Throws ConfigError with the nearest name for an unknown one.
 Category category_of(std::string_view name);
 
-/// A Kinect's view of a table with its ground truth.
+/// How depth is measured.
+enum class SensorModel {
+  structured_light,  ///< the first Kinect
+  active_stereo,     ///< RealSense D415, D435
+  time_of_flight,    ///< Azure Kinect, RealSense L515
+};
+
+/// In the order of the enumeration.
+const std::vector<std::string>& sensor_model_names();
+
+/// Throws ConfigError with the nearest name for an unknown one.
+SensorModel sensor_model_of(std::string_view name);
+
+/// A sensor's view of things with its ground truth.
 struct SyntheticScene {
-  Frame frame;                           ///< depth is whole millimetres; frame.name is <category>_<seed>_<index>
-  cv::Mat_<std::uint16_t> ground_truth;  ///< 0 = no depth; 1-9 = disjoint parts of the table; 20-29 = disjoint visible
-                                         ///< parts of the first object, largest first, 30-39 of the second, ...
+  Frame frame;                           ///< depth is whole millimetres; frame.name is <category>_<seed>_<index>,
+                                         ///< the sensor's name before the seed unless it is structured_light
+  cv::Mat_<std::uint16_t> ground_truth;  ///< 0 = no depth; 1-9 = disjoint parts of the background; 20-29 = disjoint
+                                         ///< visible parts of the first object, largest first, 30-39 of the second, ...
   std::string category;
 };
 
@@ -45,7 +65,8 @@ Camera kinect_camera(int width = 640, int height = 480);
 /// Lays out, renders and measures one scene. Equal arguments give equal images. Every object shows at least
 /// smallest_object() pixels with depth. Throws InputError for a camera that sees less than 50 x 40 degrees, or in whose
 /// view the objects could not be placed.
-SyntheticScene synthesize(Category category, std::uint64_t seed, int index, const Camera& camera = kinect_camera());
+SyntheticScene synthesize(Category category, std::uint64_t seed, int index, const Camera& camera = kinect_camera(),
+                          SensorModel sensor = SensorModel::structured_light);
 
 /// Fewest pixels of an object: 300 for a Kinect, in proportion to fx fy otherwise, at least 1.
 int smallest_object(const Camera& camera);

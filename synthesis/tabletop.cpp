@@ -50,8 +50,13 @@ std::vector<Eigen::Vector3f> thinned(const std::vector<Eigen::Vector3f>& points,
 }  // namespace
 
 Tabletop::Tabletop(const Viewpoint& viewpoint, const Eigen::AlignedBox2d& table, double table_yaw, double smallest,
-                   double working_radius)
-    : table_(table), to_table_(-table_yaw), smallest_(smallest), working_radius_(working_radius), preview_(viewpoint) {}
+                   double working_radius, double least_inside)
+    : table_(table),
+      to_table_(-table_yaw),
+      smallest_(smallest),
+      working_radius_(working_radius),
+      least_inside_(least_inside),
+      preview_(viewpoint) {}
 
 Tabletop::Points Tabletop::points_of(const Body& body) {
   Points points{{}, sample_surface(body.mesh, 0.0025), {}};
@@ -80,11 +85,20 @@ bool Tabletop::place(const Body& body, const Points& points, const Eigen::Isomet
   const bool on_table = std::all_of(world.begin(), world.end(), [&](const Eigen::Vector3f& p) {
     return table_.contains(to_table_ * p.head<2>().cast<double>());
   });
-  if (!on_table || preview_.share_inside(world) < 0.98 || !preview_.add(world, smallest_)) return false;
+  if (!on_table || preview_.share_inside(world) < least_inside_ || !preview_.add(world, smallest_)) return false;
   field_.add(world);
   bodies_.push_back(body);
   bodies_.back().pose = pose;
   return true;
+}
+
+bool Tabletop::put(const Body& body) { return place(body, points_of(body), body.pose); }
+
+void Tabletop::furnish(const Body& body) {
+  std::vector<Eigen::Vector3f> world = sample_surface(body.mesh, 0.0025);
+  for (Eigen::Vector3f& point : world) point = body.pose.cast<float>() * point;
+  field_.add(world);
+  preview_.hide_behind(world);
 }
 
 Eigen::Vector2d Tabletop::random_spot(Random& random) const {

@@ -18,8 +18,9 @@ namespace gestalt::synthesis {
 class Tabletop {
  public:
   /// table: rectangle of the table top in the frame `pose`; working_radius: things are put so near the origin (metres).
+  /// least_inside: share of a thing that the image holds.
   Tabletop(const Viewpoint& viewpoint, const Eigen::AlignedBox2d& table, double table_yaw, double smallest,
-           double working_radius);
+           double working_radius, double least_inside = 0.98);
 
   /// On the bare table at this place. orientation turns the thing out of its standing pose.
   bool stand_at(const Body& body, const Eigen::Matrix3d& orientation, const Eigen::Vector2d& at);
@@ -35,6 +36,12 @@ class Tabletop {
 
   /// Dropped in any orientation onto whatever is there.
   bool tumble(const Body& body, Random& random);
+
+  /// Where its pose says.
+  bool put(const Body& body);
+
+  /// Background that hides things and that things fall onto: the walls of a bin, the boards of a shelf.
+  void furnish(const Body& body);
 
   const std::vector<Body>& bodies() const { return bodies_; }
   const Preview& preview() const { return preview_; }
@@ -52,7 +59,7 @@ class Tabletop {
 
   Eigen::AlignedBox2d table_;
   Eigen::Rotation2Dd to_table_;
-  double smallest_, working_radius_;
+  double smallest_, working_radius_, least_inside_;
   HeightField field_;
   Preview preview_;
   std::vector<Body> bodies_;

@@ -56,6 +56,17 @@ bool Preview::add(std::span<const Eigen::Vector3f> points, double smallest) {
   return true;
 }
 
+void Preview::hide_behind(std::span<const Eigen::Vector3f> points) {
+  const cv::Rect image({0, 0}, depth_.size());
+  for (const Eigen::Vector3f& point : points) {
+    const Eigen::Vector3f p = from_world_ * point;
+    const cv::Point pixel = pixel_of(p);
+    if (!image.contains(pixel) || p.z() >= depth_(pixel)) continue;
+    depth_(pixel) = p.z();
+    thing_(pixel) = -1;
+  }
+}
+
 std::vector<double> Preview::visible_parts(int thing) const {
   const cv::Mat mask = thing_ == thing;
   cv::Mat labels, statistics, centroids;

@@ -29,6 +29,9 @@ class Preview {
   /// is then seen in fewer than smallest pixels of the camera.
   bool add(std::span<const Eigen::Vector3f> points, double smallest);
 
+  /// Draws background before things.
+  void hide_behind(std::span<const Eigen::Vector3f> points);
+
   /// Sizes of the separate visible parts of a thing in pixels of the camera, largest first.
   std::vector<double> visible_parts(int thing) const;
 

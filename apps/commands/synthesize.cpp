@@ -11,6 +11,7 @@
 #include "command.h"
 #include "gestalt/apps/pipeline_options.h"
 #include "gestalt/core/base/for_all.h"
+#include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/scene_folder.h"
 #include "gestalt/synthesis/synthesis.h"
 
@@ -25,8 +26,19 @@ struct SynthesizeOptions {
   std::filesystem::path output;
   int width = 640;
   int height = 480;
+  double focal_length = 0;
+  std::string camera;
+  std::string sensor = "structured_light";
   int threads = 0;
 };
+
+/// The camera of the file; else a Kinect's of this size, with the focal length where one is given.
+Camera camera_of(const SynthesizeOptions& options) {
+  if (!options.camera.empty()) return read_camera(options.camera).camera;
+  Camera camera = kinect_camera(options.width, options.height);
+  if (options.focal_length > 0) camera.fx = camera.fy = options.focal_length;
+  return camera;
+}
 
 /// scenes -> scenes.csv beside it.
 std::filesystem::path categories_file(const std::filesystem::path& folder) {
@@ -34,18 +46,25 @@ std::filesystem::path categories_file(const std::filesystem::path& folder) {
   return name.string() + ".csv";
 }
 
+std::string known_names(const std::vector<std::string>& names) {
+  std::string known;
+  for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
+  return known;
+}
+
 int synthesize_scenes(const SynthesizeOptions& options) {
   const ThreadLimit thread_limit(options.threads);
   const Category category = category_of(options.category);
-  const Camera camera = kinect_camera(options.width, options.height);
+  const SensorModel sensor = sensor_model_of(options.sensor);
+  const Camera camera = camera_of(options);
   const std::filesystem::path folder = std::filesystem::absolute(options.output).lexically_normal();
   // Before anything is written: a camera whose view is refused leaves nothing behind.
-  const SyntheticScene first = synthesize(category, options.seed, 0, camera);
+  const SyntheticScene first = synthesize(category, options.seed, 0, camera, sensor);
   write_camera(camera, folder);
 
   std::vector<std::string> names(std::size_t(options.count));
   for_all(names.size(), [&](std::size_t i) {
-    const SyntheticScene scene = i == 0 ? first : synthesize(category, options.seed, int(i), camera);
+    const SyntheticScene scene = i == 0 ? first : synthesize(category, options.seed, int(i), camera, sensor);
     write_scene(scene, folder);
     names[i] = scene.frame.name;
   });
@@ -58,29 +77,40 @@ int synthesize_scenes(const SynthesizeOptions& options) {
 }
 
 void add_synthesize(CLI::App& app, Run& run) {
-  CLI::App& command =
-      *app.add_subcommand("synthesize", "Makes labelled scenes of things on a table, as a Kinect sees them");
+  CLI::App& command = *app.add_subcommand(
+      "synthesize", "Makes labelled scenes of things on tables, in bins and on shelves, as a depth sensor sees them");
   auto options = std::make_shared<SynthesizeOptions>();
-  std::string known;
-  for (const std::string& name : category_names()) known += (known.empty() ? "" : ", ") + name;
   command.footer("Example: gestalt synthesize --category complex_scene --seed 1 --count 5 --output scenes");
-  command.add_option("--category", options->category, "One of " + known)->required();
+  command.add_option("--category", options->category, "One of " + known_names(category_names()))->required();
   command.add_option("--seed", options->seed, "The same seed gives the same scenes")->capture_default_str();
   command.add_option("--count", options->count, "Scenes to make")->check(CLI::Range(1, 100000))->capture_default_str();
   command
-      .add_option(
-          "--output", options->output,
-          "Folder for <category>_<seed>_<index>/{rgb,depth,label}.png and camera.yaml; the categories go to a file of "
-          "the folder's name with .csv beside it")
+      .add_option("--output", options->output,
+                  "Folder for <category>[_<sensor>]_<seed>_<index>/{rgb,depth,label}.png and camera.yaml; the "
+                  "categories go to a file of "
+                  "the folder's name with .csv beside it")
       ->check(not_empty)
       ->type_name("DIR")
       ->required();
-  command.add_option("--width", options->width, "Columns of the images")
-      ->check(CLI::Range(40, 8192))
+  command.add_option("--sensor", options->sensor, "How depth is measured, one of " + known_names(sensor_model_names()))
       ->capture_default_str();
-  command.add_option("--height", options->height, "Rows of the images")
-      ->check(CLI::Range(30, 8192))
-      ->capture_default_str();
+  CLI::Option& width = *command.add_option("--width", options->width, "Columns of the images")
+                            ->check(CLI::Range(40, 8192))
+                            ->capture_default_str();
+  CLI::Option& height = *command.add_option("--height", options->height, "Rows of the images")
+                             ->check(CLI::Range(30, 8192))
+                             ->capture_default_str();
+  CLI::Option& focal_length = *command
+                                   .add_option("--focal-length", options->focal_length,
+                                               "Of the camera, pixels; by default that of a Kinect, 525 at 640 columns")
+                                   ->check(CLI::Range(20.0, 20000.0))
+                                   ->type_name("PX");
+  command
+      .add_option("--camera", options->camera, "Intrinsics and size of the images, in place of the three options above")
+      ->type_name("FILE")
+      ->excludes(&width)
+      ->excludes(&height)
+      ->excludes(&focal_length);
   command.add_option("--threads", options->threads, "Threads to use (0: all); the result is the same for any number")
       ->check(CLI::Range(0, 1024));
   command.callback([options, &run] { run = [options] { return synthesize_scenes(*options); }; });
