@@ -15,8 +15,14 @@ Frames::Frames(const std::vector<std::filesystem::path>& paths, int synthetic_co
   count_ = scenes_.size();
 }
 
-Frame Frames::operator[](std::size_t i) const {
-  return scenes_.empty() ? synthesize(Category::complex_scene, 1, int(i)).frame : read_scene(scenes_[i]).frame;
+LabelledFrame Frames::labelled(std::size_t i) const {
+  if (scenes_.empty()) {
+    SyntheticScene scene = synthesize(Category::complex_scene, 1, int(i));
+    return {std::move(scene.frame), scene.ground_truth};
+  }
+  Input input = read_scene(scenes_[i]);
+  if (!input.ground_truth.empty()) input.ground_truth.setTo(0, input.frame.depth == 0);
+  return {std::move(input.frame), input.ground_truth};
 }
 
 std::vector<Frame> Frames::all() const {

@@ -9,6 +9,11 @@
 
 namespace gestalt::bench {
 
+struct LabelledFrame {
+  Frame frame;
+  cv::Mat_<std::uint16_t> ground_truth;  ///< 0 also where there is no depth; empty when the scene has none
+};
+
 /// What is measured on: the scenes below some paths or, without paths, synthetic complex scenes. Frames are made when
 /// they are asked for, so that a program which holds one at a time has the peak memory of one.
 class Frames {
@@ -19,7 +24,10 @@ class Frames {
   std::size_t size() const { return count_; }
 
   /// Throws InputError as read_scene() does.
-  Frame operator[](std::size_t i) const;
+  Frame operator[](std::size_t i) const { return labelled(i).frame; }
+
+  /// The same with what the scene's labels say.
+  LabelledFrame labelled(std::size_t i) const;
 
   std::vector<Frame> all() const;
 

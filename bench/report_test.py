@@ -44,6 +44,12 @@ def check_frame(report):
 
 
 def check_compare(report):
+    scored = ("default", "paper", "pcl_lccp", "pcl_lccp_best")
+    for one in scored:
+        require_numbers(report["scores"][one], ("majority:F>.75", "majority:oF", "majority:bF", "P", "R"))
+        assert report["scores"][one]["images"] == 1, report["scores"][one]
+    assert report["scores"]["default"]["R"] > 0.5, report["scores"]["default"]
+    assert "pcl_normals" not in report["scores"]
     require_spreads(report["milliseconds"], CONTESTANTS)
     for one in CONTESTANTS:
         require_numbers(report["ratios"][one], (other for other in CONTESTANTS if other != one))
@@ -96,7 +102,8 @@ GOOGLE_BENCHMARKS = {"bench_levels": check_levels, "bench_relations": check_rela
 program, file = sys.argv[1], pathlib.Path(sys.argv[3])
 name = pathlib.Path(program).name
 if name in REPORTS:
-    REPORTS[name](report_of(program, file, "--quick", "--json", file))
+    more = ["--score"] if name == "bench_compare" else []
+    REPORTS[name](report_of(program, file, "--quick", "--json", file, *more))
 else:
     report = report_of(program, file, "--benchmark_min_time=0", f"--benchmark_out={file}", "--benchmark_out_format=json")
     failed = [benchmark for benchmark in report["benchmarks"] if benchmark.get("error_occurred")]

@@ -22,17 +22,29 @@ nlohmann::ordered_json spread(const std::vector<double>& values) {
           {"worst", quantile(values, 1)}};
 }
 
+std::string cell(double number) {
+  std::ostringstream text;
+  text << std::fixed << std::setprecision(1) << std::setw(number_width) << number;
+  return text.str();
+}
+
+std::string cell(const std::string& word) {
+  std::ostringstream text;
+  text << std::setw(number_width) << word;
+  return text.str();
+}
+
 std::string row(const std::string& name, const nlohmann::ordered_json& spread) {
   std::ostringstream line;
-  line << std::left << std::setw(name_width) << name << std::right << std::fixed << std::setprecision(1);
-  for (const auto& value : spread) line << std::setw(number_width) << value.get<double>();
+  line << std::left << std::setw(name_width) << name;
+  for (const auto& value : spread) line << cell(value.get<double>());
   return line.str();
 }
 
 std::string heading(const std::string& name) {
   std::ostringstream line;
-  line << std::left << std::setw(name_width) << name << std::right;
-  for (const char* column : {"median", "p95", "p99", "worst"}) line << std::setw(number_width) << column;
+  line << std::left << std::setw(name_width) << name;
+  for (const char* column : {"median", "p95", "p99", "worst"}) line << cell(std::string(column));
   return line.str();
 }
 

@@ -24,6 +24,10 @@ inline double median(const std::vector<double>& values) { return quantile(values
 /// {"median", "p95", "p99", "worst"} of at least one value.
 nlohmann::ordered_json spread(const std::vector<double>& values);
 
+/// A number in a column of a table, and the words above columns.
+std::string cell(double number);
+std::string cell(const std::string& word);
+
 /// A line "name median p95 p99 worst" of a table, and the line above the table.
 std::string row(const std::string& name, const nlohmann::ordered_json& spread);
 std::string heading(const std::string& name);

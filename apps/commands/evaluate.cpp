@@ -3,6 +3,7 @@
 
 #include "gestalt/evaluation/score/evaluation.h"
 
+#include <algorithm>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -20,6 +21,7 @@
 #include "gestalt/core/pipeline/learning_set.h"
 #include "gestalt/evaluation/experiment/plot.h"
 #include "gestalt/evaluation/score/cross_validation.h"
+#include "gestalt/evaluation/score/scene_sets.h"
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/png_codec.h"
 
@@ -36,17 +38,28 @@ constexpr const char* objects_image = "objects.png";
 struct Options {
   std::vector<fs::path> scenes;
   PipelineOptions pipeline;
-  int folds = 0;  ///< 0: no cross-validation
+  int folds = 0;         ///< 0: no cross-validation
+  std::string left_out;  ///< of left_out_names; empty: no such cross-validation
   std::uint64_t seed = 0;
   std::vector<fs::path> additional;  ///< scenes that every fold also learns from
   fs::path predictions;              ///< empty: run the pipeline
   std::string image{labels_image};   ///< of the results: labels.png or objects.png; of predictions: any name
+  std::string rule;                  ///< of background_rule_names; empty: what suits the image
   bool parts = false;
+  bool all = false;
   fs::path output;  ///< empty: write no label images
   bool json = false;
 
   RegionKind regions() const { return parts ? RegionKind::parts : RegionKind::objects; }
+  BackgroundRule background() const;
 };
+
+BackgroundRule Options::background() const {
+  const auto found = std::find(background_rule_names.begin(), background_rule_names.end(), rule);
+  if (found != background_rule_names.end()) return BackgroundRule(found - background_rule_names.begin());
+  // In the image of objects the method has told itself what is background.
+  return image == objects_image ? BackgroundRule::none : BackgroundRule::majority;
+}
 
 ReliabilityDiagram reliability(const std::map<std::string, PairDecisions>& pairs) {
   ReliabilityDiagram diagram{"Reliability of the probabilities of held-out pairs", {}};
@@ -64,13 +77,13 @@ class Evaluation {
  public:
   explicit Evaluation(const Options& options)
       : scenes(find_scenes(options.scenes)),
-        categories(scene_categories(scenes)),
+        rows(scene_rows(scenes)),
         scores(scenes.size()),
         options_(options),
         failures_(scenes.size()) {}
 
   const std::vector<fs::path> scenes;
-  const std::vector<std::string> categories;
+  const std::vector<std::string> rows;  ///< of each scene
   std::vector<ImageScore> scores;
 
   bool failed(std::size_t scene) const { return bool(failures_[scene]); }
@@ -106,28 +119,45 @@ class Evaluation {
   /// Prints errors and scores. Throws the first error when no scene could be scored.
   int report(const std::string& method, const std::map<std::string, PairDecisions>& pairs = {}) const {
     std::vector<ImageScore> scored;
-    std::vector<std::string> their_categories;
+    std::vector<std::string> their_rows;
     for (std::size_t i = 0; i < scenes.size(); ++i) {
       if (failed(i)) continue;
       scored.push_back(scores[i]);
-      their_categories.push_back(categories[i]);
+      their_rows.push_back(rows[i]);
     }
     if (scored.empty()) std::rethrow_exception(failures_.front());
     print_failures();
-    const std::vector<ScoreRow> rows = summarise(scored, their_categories);
+    const std::vector<ScoreRow> table = with_mean(summarise(scored, their_rows));
     if (options_.json) {
-      nlohmann::ordered_json json = to_json(rows);
-      for (const auto& [level, decisions] : pairs) json["held_out_pairs"][level] = to_json(decisions);
-      std::cout << json.dump(1) << '\n';
+      print_json(table, pairs);
     } else {
       const std::string all = scored.size() < scenes.size() ? " of " + std::to_string(scenes.size()) : "";
-      std::cout << method << ", " << scored.size() << all << " images\n" << format_tables(rows, options_.regions());
-      for (const auto& [level, decisions] : pairs) std::cout << format_pairs(decisions, level);
+      std::cout << method << ", " << scored.size() << all << " images\n";
+      print_tables(table, pairs);
     }
     return scored.size() == scenes.size() ? success : run_failed;
   }
 
  private:
+  void print_tables(const std::vector<ScoreRow>& table, const std::map<std::string, PairDecisions>& pairs) const {
+    const BackgroundRule rule = options_.background();
+    std::cout << options_.image << " scored under the rule " << background_rule_names[std::size_t(rule)] << ": "
+              << meaning(rule) << '\n'
+              << format_tables(table, options_.regions(), rule);
+    if (!options_.all) return;
+    std::cout << format_other_tables(table, options_.regions());
+    for (const auto& [level, decisions] : pairs) std::cout << format_pairs(decisions, level);
+  }
+
+  void print_json(const std::vector<ScoreRow>& table, const std::map<std::string, PairDecisions>& pairs) const {
+    nlohmann::ordered_json json = to_json(table);
+    json["scored"] = {{"image", options_.image},
+                      {"regions", options_.parts ? "parts" : "objects"},
+                      {"rule", background_rule_names[std::size_t(options_.background())]}};
+    for (const auto& [level, decisions] : pairs) json["held_out_pairs"][level] = to_json(decisions);
+    std::cout << json.dump(1) << '\n';
+  }
+
   void print_failures() const {
     for (const std::exception_ptr& failure : failures_) try {
         if (failure) std::rethrow_exception(failure);
@@ -180,37 +210,52 @@ std::vector<const LearningScene*> pointers(const std::vector<LearningScene>& sce
   return all;
 }
 
+/// Scenes whose models are trained on those of all other folds.
+struct Folds {
+  std::vector<int> fold;  ///< of each scene
+  int count;
+  std::string method;
+};
+
+Folds deal(const Options& options, const std::vector<fs::path>& scenes) {
+  if (options.left_out.empty())
+    return {deal_folds(scene_categories(scenes), options.folds, options.seed), options.folds,
+            std::to_string(options.folds) + "-fold cross-validation"};
+  const LeaveOneOut dealt = leave_one_out(scenes, left_out_named(options.left_out));
+  const std::string count = std::to_string(dealt.folds());
+  return {dealt.fold, dealt.folds(), "each " + options.left_out + " of " + count + " left out of training"};
+}
+
 int cross_validate(const Options& options) {
   const LoadedConfig loaded = load_config(options.pipeline);
   const Pipeline pipeline(loaded.config, loaded.registry);
   Evaluation evaluation(options);
-  const std::vector<int> fold = deal_folds(evaluation.categories, options.folds, options.seed);
+  const Folds folds = deal(options, evaluation.scenes);
   // As in training, a scene to learn from that cannot be used ends the run.
-  const std::vector<fs::path> additional_scenes =
-      options.additional.empty() ? std::vector<fs::path>{} : find_scenes(options.additional);
-  std::vector<LearningScene> additional(additional_scenes.size());
-  for_all(additional.size(), [&](std::size_t i) { additional[i] = learning_scene(pipeline, additional_scenes[i]); });
+  const std::vector<fs::path> others = find_additional_scenes(options.additional, evaluation.scenes);
+  std::vector<LearningScene> additional(others.size());
+  for_all(additional.size(), [&](std::size_t i) { additional[i] = learning_scene(pipeline, others[i]); });
 
   std::vector<LearningScene> perceived(evaluation.scenes.size());
   evaluation.for_each_scene([&](std::size_t i) { perceived[i] = learning_scene(pipeline, evaluation.scenes[i]); });
   std::vector<const LearningScene*> usable = pointers(perceived);
   for (std::size_t i = 0; i < usable.size(); ++i)
     if (evaluation.failed(i)) usable[i] = nullptr;
-  const std::vector<Models> models = learn_folds(pipeline, usable, fold, options.folds, pointers(additional));
+  const std::vector<Models> models = learn_folds(pipeline, usable, folds.fold, folds.count, pointers(additional));
+  const auto models_of = [&](std::size_t scene) -> const Models& { return models[std::size_t(folds.fold[scene])]; };
 
   LevelDecisions decisions;
   for (std::size_t i = 0; i < perceived.size(); ++i)
-    if (usable[i]) count_pairs(pipeline, perceived[i], models[std::size_t(fold[i])], decisions);
+    if (usable[i]) count_pairs(pipeline, perceived[i], models_of(i), decisions);
   std::map<std::string, PairDecisions> pairs{{name_of(Level::structural), decisions.structural}};
   if (loaded.config.with_assembly) pairs[name_of(Level::assembly)] = decisions.assembly;
 
   evaluation.for_each_scene([&](std::size_t i) {
     const Labels ground_truth = read_ground_truth(evaluation.scenes[i]);
-    evaluation.score(i, ground_truth, pipeline.decide(perceived[i].percept, models[std::size_t(fold[i])]));
+    evaluation.score(i, ground_truth, pipeline.decide(perceived[i].percept, models_of(i)));
   });
   if (!options.output.empty()) write_files({{options.output / "reliability.svg", svg(reliability(pairs))}});
-  return evaluation.report(config_name(options) + ", " + std::to_string(options.folds) + "-fold cross-validation",
-                           pairs);
+  return evaluation.report(config_name(options) + ", " + folds.method, pairs);
 }
 
 int evaluate(const Options& options) {
@@ -218,7 +263,15 @@ int evaluate(const Options& options) {
   if (!options.predictions.empty()) return score_predictions(options);
   if (options.image != labels_image && options.image != objects_image)
     throw ConfigError("--image " + options.image + ": without --predictions it is labels.png or objects.png");
-  return options.folds > 0 ? cross_validate(options) : score_model(options);
+  const bool held_out = options.folds > 0 || !options.left_out.empty();
+  if (!options.additional.empty() && !held_out)
+    throw ConfigError("--also-train: nothing is trained; add --cross-validate K or --leave-one-out category");
+  return held_out ? cross_validate(options) : score_model(options);
+}
+
+template <std::size_t n>
+std::vector<std::string> names(const std::array<std::string_view, n>& of) {
+  return {of.begin(), of.end()};
 }
 
 void add_evaluate(CLI::App& app, Run& run) {
@@ -227,11 +280,13 @@ void add_evaluate(CLI::App& app, Run& run) {
       "evaluate", "Score segmentations against ground truth: of a trained model, cross-validated, or read from files");
   command
       .add_option("scenes", options->scenes,
-                  "Scenes with ground truth, or folders of them; FOLDER.csv beside a folder (columns scene and "
+                  "Scenes with ground truth, or sets: folders of them; FOLDER.csv beside a folder (columns scene and "
                   "category) gives categories")
       ->required()
       ->type_name("SCENES");
-  command.footer("Example: gestalt evaluate scenes --cross-validate 5");
+  command.footer(
+      "Examples: gestalt evaluate scenes --cross-validate 5\n"
+      "          gestalt evaluate ours theirs --leave-one-out set");
   add_pipeline_options(command, options->pipeline);
   CLI::Option* predictions =
       command
@@ -250,19 +305,33 @@ void add_evaluate(CLI::App& app, Run& run) {
                            ->check(CLI::Range(2, 1000000))
                            ->excludes(predictions)
                            ->type_name("K");
+  command
+      .add_option("--leave-one-out", options->left_out,
+                  "Segment each category, or each set, with a model trained on all others")
+      ->check(CLI::IsMember(names(left_out_names)))
+      ->excludes(predictions)
+      ->excludes(folds)
+      ->type_name("WHAT");
   command.add_option("--seed", options->seed, "Deal the scenes to the folds in this random order; 0: in natural order")
       ->needs(folds)
       ->type_name("S");
   command
       .add_option("--also-train", options->additional,
-                  "Scenes that every fold's model also learns from, such as synthetic ones; they are not scored")
-      ->needs(folds)
+                  "Scenes that the models of --cross-validate and --leave-one-out also learn from, such as synthetic "
+                  "ones; they are not scored")
+      ->excludes(predictions)
       ->type_name("SCENES");
+  command
+      .add_option("--rule", options->rule,
+                  "Which segments the first table takes for background (default: majority; none for objects.png)")
+      ->check(CLI::IsMember(names(background_rule_names)))
+      ->type_name("RULE");
   command.add_flag("--parts", options->parts, "Regions are the visible parts of objects, not whole objects");
+  command.add_flag("--all", options->all, "Also print the tables of every rule, of parts and of held-out pairs");
   command
       .add_option("--output", options->output,
-                  "Also write DIR/<scene>/labels.png and objects.png, and with --cross-validate "
-                  "the diagram DIR/reliability.svg")
+                  "Also write DIR/<scene>/labels.png and objects.png, and where models are "
+                  "trained the diagram DIR/reliability.svg")
       ->check(not_empty)
       ->excludes(predictions)
       ->type_name("DIR");

@@ -12,6 +12,7 @@
 #include "gestalt/apps/experiments.h"
 #include "gestalt/apps/pipeline_options.h"
 #include "gestalt/core/base/error.h"
+#include "gestalt/evaluation/score/scene_sets.h"
 #include "gestalt/io/scene/input.h"
 
 namespace gestalt::app::reproduce_command {

@@ -282,8 +282,8 @@ std::vector<CategoryScore> category_scores(const std::vector<ImageScore>& scores
   std::vector<CategoryScore> rows;
   for (const ScoreRow& row : summarise(scores, categories)) {
     const OverlapBoundary& values = row.overlap_boundary[std::size_t(BackgroundRule::table)];
-    rows.push_back({row.category, row.images, row.regions, row.pooled.precision(), row.pooled.recall(),
-                    values.overlap_f, values.boundary_f, values.detected});
+    rows.push_back({row.category, row.images, row.regions, row.precision, row.recall, values.overlap_f,
+                    values.boundary_f, values.detected});
   }
   return rows;
 }

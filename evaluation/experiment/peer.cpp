@@ -7,6 +7,7 @@
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/for_all.h"
+#include "gestalt/evaluation/score/scene_sets.h"
 #include "gestalt/io/scene/input.h"
 
 namespace gestalt {

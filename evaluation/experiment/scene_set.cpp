@@ -8,6 +8,7 @@
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/for_all.h"
 #include "gestalt/core/base/hash.h"
+#include "gestalt/evaluation/score/scene_sets.h"
 #include "gestalt/io/scene/input.h"
 #include "whole_file.h"
 

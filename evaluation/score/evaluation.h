@@ -78,13 +78,15 @@ struct ImageScore {
 GESTALT_EXPORT ImageScore score_image(const cv::Mat_<std::uint16_t>& ground_truth,
                                       const cv::Mat_<std::uint16_t>& prediction, RegionKind kind = RegionKind::objects);
 
-/// One row of the tables: pooled counts are sums over the images, all else are means.
+/// One row of the tables: images and regions are counts, precision and recall are of the pixels of all images, all else
+/// are means over the images.
 struct ScoreRow {
   std::string category;
   std::int64_t images = 0;
-  std::int64_t regions = 0;  ///< sum
-  double segments = 0;       ///< mean
-  PooledPixels pooled;
+  std::int64_t regions = 0;
+  double segments = 0;
+  double precision = 0;
+  double recall = 0;
   std::array<OverlapBoundary, background_rule_names.size()> overlap_boundary;
   PartScore all_parts;
   PartScore object_parts;
@@ -95,9 +97,19 @@ struct ScoreRow {
 GESTALT_EXPORT std::vector<ScoreRow> summarise(const std::vector<ImageScore>& scores,
                                                const std::vector<std::string>& categories);
 
-/// The rows as aligned tables: (a) pooled P and R, (b) overlap and boundary for each background rule, (c) parts; all
-/// but counts in percent.
-GESTALT_EXPORT std::string format_tables(const std::vector<ScoreRow>& rows, RegionKind kind);
+/// The same rows with a row "mean" before the last: the sums of the categories' counts and the means of their other
+/// values, so that a category of many images counts no more than one of few. There is none of less than two categories.
+GESTALT_EXPORT std::vector<ScoreRow> with_mean(std::vector<ScoreRow> rows);
+
+/// The rows as aligned tables, all but counts in percent: the share of regions with F > 0.75, overlap F and boundary F
+/// under one rule; P and R pooled.
+GESTALT_EXPORT std::string format_tables(const std::vector<ScoreRow>& rows, RegionKind kind, BackgroundRule rule);
+
+/// All else: overlap and boundary for each background rule, parts.
+GESTALT_EXPORT std::string format_other_tables(const std::vector<ScoreRow>& rows, RegionKind kind);
+
+/// What a rule does, for the reader of a table.
+GESTALT_EXPORT std::string_view meaning(BackgroundRule rule);
 
 /// The rows by category, every value as a fraction: {"boxes": {"images": 17, "P": 0.99, "table:oF": 0.95, ...}, ...}.
 GESTALT_EXPORT nlohmann::ordered_json to_json(const std::vector<ScoreRow>& rows);
@@ -108,9 +120,6 @@ GESTALT_EXPORT cv::Mat_<std::uint16_t> read_label_image(const std::filesystem::p
 /// Category of each scene name, from a file with the columns scene and category. Empty when there is no such file.
 /// Throws InputError, with the line, when it cannot be understood.
 GESTALT_EXPORT std::map<std::string, std::string> read_categories(const std::filesystem::path& file);
-
-/// Category of each scene, from the file `FOLDER`.csv beside the folder that it is in; "" when there is none.
-GESTALT_EXPORT std::vector<std::string> scene_categories(const std::vector<std::filesystem::path>& scenes);
 
 /// The ground truth of a scene where it has depth, 0 elsewhere: what scores count. Throws InputError when it has none.
 GESTALT_EXPORT cv::Mat_<std::uint16_t> scored_ground_truth(const Input& input);

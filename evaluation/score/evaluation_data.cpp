@@ -29,12 +29,6 @@ std::vector<std::string> split_at_commas(std::string line) {
   return fields;
 }
 
-/// The folder that a scene is in.
-std::filesystem::path folder_of(const std::filesystem::path& scene) {
-  const std::filesystem::path path = std::filesystem::absolute(scene).lexically_normal();
-  return path.has_filename() ? path.parent_path() : path.parent_path().parent_path();
-}
-
 }  // namespace
 
 cv::Mat_<std::uint16_t> read_label_image(const std::filesystem::path& file) { return read_label_png(file); }
@@ -58,18 +52,6 @@ std::map<std::string, std::string> read_categories(const std::filesystem::path& 
       throw InputError(file.string() + ":" + std::to_string(number) + ": has " + std::to_string(fields.size()) +
                        " fields, the first line " + std::to_string(head.size()));
     categories[fields[scene]] = fields[category];
-  }
-  return categories;
-}
-
-std::vector<std::string> scene_categories(const std::vector<std::filesystem::path>& scenes) {
-  std::map<std::filesystem::path, std::map<std::string, std::string>> known;
-  std::vector<std::string> categories;
-  for (const std::filesystem::path& scene : scenes) {
-    const std::filesystem::path file = folder_of(scene).string() + ".csv";
-    if (!known.contains(file)) known.emplace(file, read_categories(file));
-    const auto found = known[file].find(scene_name(scene));
-    categories.push_back(found == known[file].end() ? "" : found->second);
   }
   return categories;
 }

@@ -42,25 +42,54 @@ void divide(Values& sum, const std::array<Named<Values>, n>& names, double count
   for (const auto& [name, value] : names) sum.*value /= count;
 }
 
+/// Adds what rows and images hold of the values that a row has means of.
+template <class Scored>
+void add_means(const Scored& from, ScoreRow& sum) {
+  sum.segments += double(from.segments);
+  for (std::size_t rule = 0; rule < sum.overlap_boundary.size(); ++rule)
+    add(from.overlap_boundary[rule], overlap_boundary_values, sum.overlap_boundary[rule]);
+  add(from.all_parts, part_values, sum.all_parts);
+  add(from.object_parts, part_values, sum.object_parts);
+}
+
+void divide_means(ScoreRow& sum, double count) {
+  sum.segments /= count;
+  for (OverlapBoundary& values : sum.overlap_boundary) divide(values, overlap_boundary_values, count);
+  divide(sum.all_parts, part_values, count);
+  divide(sum.object_parts, part_values, count);
+}
+
 ScoreRow summarise_images(const std::string& category, const std::vector<const ImageScore*>& scores) {
   ScoreRow row;
   row.category = category;
   row.images = std::int64_t(scores.size());
+  PooledPixels pooled;
   for (const ImageScore* score : scores) {
     row.regions += score->regions;
-    row.segments += double(score->segments);
-    row.pooled += score->pooled;
-    for (std::size_t rule = 0; rule < row.overlap_boundary.size(); ++rule)
-      add(score->overlap_boundary[rule], overlap_boundary_values, row.overlap_boundary[rule]);
-    add(score->all_parts, part_values, row.all_parts);
-    add(score->object_parts, part_values, row.object_parts);
+    pooled += score->pooled;
+    add_means(*score, row);
   }
-  const auto count = double(scores.size());
-  row.segments /= count;
-  for (OverlapBoundary& values : row.overlap_boundary) divide(values, overlap_boundary_values, count);
-  divide(row.all_parts, part_values, count);
-  divide(row.object_parts, part_values, count);
+  row.precision = pooled.precision();
+  row.recall = pooled.recall();
+  divide_means(row, double(scores.size()));
   return row;
+}
+
+ScoreRow mean_of(const std::vector<ScoreRow>& categories) {
+  ScoreRow mean;
+  mean.category = "mean";
+  for (const ScoreRow& row : categories) {
+    mean.images += row.images;
+    mean.regions += row.regions;
+    mean.precision += row.precision;
+    mean.recall += row.recall;
+    add_means(row, mean);
+  }
+  const auto count = double(categories.size());
+  mean.precision /= count;
+  mean.recall /= count;
+  divide_means(mean, count);
+  return mean;
 }
 
 /// With a number of decimals, whatever the locale.
@@ -76,6 +105,8 @@ std::string right_aligned(const std::string& text) {
   return std::string(std::max(width, text.size()) - text.size(), ' ') + text;
 }
 
+std::string name_of(RegionKind kind) { return kind == RegionKind::parts ? "parts" : "objects"; }
+
 std::string padded(std::string text, std::size_t width) {
   text.resize(std::max(width, text.size()), ' ');
   return text;
@@ -88,7 +119,8 @@ struct Column {
 };
 
 std::string table(const std::string& title, const std::vector<Column>& columns, const std::vector<ScoreRow>& rows) {
-  constexpr std::size_t category_width = 18;
+  std::size_t category_width = 18;
+  for (const ScoreRow& row : rows) category_width = std::max(category_width, row.category.size());
   std::string text = "\n" + title + "\n" + padded("category", category_width);
   for (const Column& column : columns) text += right_aligned(column.head);
   for (const ScoreRow& row : rows) {
@@ -118,28 +150,50 @@ std::vector<ScoreRow> summarise(const std::vector<ImageScore>& scores, const std
   return rows;
 }
 
-std::string format_tables(const std::vector<ScoreRow>& rows, RegionKind kind) {
-  constexpr std::array<const char*, background_rule_names.size()> meaning{
+std::vector<ScoreRow> with_mean(std::vector<ScoreRow> rows) {
+  if (rows.size() > 2) rows.insert(rows.end() - 1, mean_of({rows.begin(), rows.end() - 1}));
+  return rows;
+}
+
+std::string_view meaning(BackgroundRule rule) {
+  constexpr std::array<std::string_view, background_rule_names.size()> meanings{
       "the largest segment is background if more than half of it lies on background",
       "the largest segment is background, whatever it lies on",
       "every segment with more than half of it on background is background (optimistic)",
       "no segment is taken for background"};
-  const std::string regions = kind == RegionKind::parts ? "parts" : "objects";
+  return meanings[std::size_t(rule)];
+}
 
-  std::string text = table("(a) P and R pooled over " + regions + " [%]",
-                           {{"images", 0, [](const ScoreRow& row) { return double(row.images); }},
-                            {"regions", 0, [](const ScoreRow& row) { return double(row.regions); }},
-                            {"segs/img", 1, [](const ScoreRow& row) { return row.segments; }},
-                            {"P", 2, [](const ScoreRow& row) { return 100 * row.pooled.precision(); }},
-                            {"R", 2, [](const ScoreRow& row) { return 100 * row.pooled.recall(); }}},
-                           rows);
-  for (std::size_t rule = 0; rule < meaning.size(); ++rule) {
+std::string format_tables(const std::vector<ScoreRow>& rows, RegionKind kind, BackgroundRule rule) {
+  const auto of_rule = [&](double OverlapBoundary::*value) {
+    return [=](const ScoreRow& row) { return 100 * (row.overlap_boundary[std::size_t(rule)].*value); };
+  };
+  return table("share of " + name_of(kind) +
+                   " with F > 0.75, overlap F, boundary F [%]: means over the images of a row;" +
+                   " mean: over the categories",
+               {{"images", 0, [](const ScoreRow& row) { return double(row.images); }},
+                {"F>.75", 2, of_rule(&OverlapBoundary::detected)},
+                {"oF", 2, of_rule(&OverlapBoundary::overlap_f)},
+                {"bF", 2, of_rule(&OverlapBoundary::boundary_f)}},
+               rows) +
+         table("P and R pooled over " + name_of(kind) + " [%]: one joined with the table costs many points of P",
+               {{"images", 0, [](const ScoreRow& row) { return double(row.images); }},
+                {"regions", 0, [](const ScoreRow& row) { return double(row.regions); }},
+                {"segs/img", 1, [](const ScoreRow& row) { return row.segments; }},
+                {"P", 2, [](const ScoreRow& row) { return 100 * row.precision; }},
+                {"R", 2, [](const ScoreRow& row) { return 100 * row.recall; }}},
+               rows);
+}
+
+std::string format_other_tables(const std::vector<ScoreRow>& rows, RegionKind kind) {
+  std::string text;
+  for (std::size_t rule = 0; rule < background_rule_names.size(); ++rule) {
     std::vector<Column> columns;
     for (const auto& [name, value] : overlap_boundary_values)
       columns.push_back(
           {name, 2, [=, member = value](const ScoreRow& row) { return 100 * (row.overlap_boundary[rule].*member); }});
-    text += table("(b) overlap and boundary of " + regions + ", rule " + std::string(background_rule_names[rule]) +
-                      ", mean over images [%]: " + meaning[rule],
+    text += table("overlap and boundary of " + name_of(kind) + ", rule " + std::string(background_rule_names[rule]) +
+                      ", mean over images [%]: " + std::string(meaning(BackgroundRule(rule))),
                   columns, rows);
   }
   std::vector<Column> columns;
@@ -147,8 +201,8 @@ std::string format_tables(const std::vector<ScoreRow>& rows, RegionKind kind) {
     for (const auto& [name, value] : part_values)
       columns.push_back(
           {name, 2, [=, member = value](const ScoreRow& row) { return 100 * ((row.*part_score).*member); }});
-  return text + table("(c) parts, mean over images [%]: left with those of the background, right of objects only",
-                      columns, rows);
+  return text +
+         table("parts, mean over images [%]: left with those of the background, right of objects only", columns, rows);
 }
 
 nlohmann::ordered_json to_json(const std::vector<ScoreRow>& rows) {
@@ -158,8 +212,8 @@ nlohmann::ordered_json to_json(const std::vector<ScoreRow>& rows) {
     values = {{"images", row.images},
               {"regions", row.regions},
               {"segments", row.segments},
-              {"P", row.pooled.precision()},
-              {"R", row.pooled.recall()}};
+              {"P", row.precision},
+              {"R", row.recall}};
     for (std::size_t rule = 0; rule < row.overlap_boundary.size(); ++rule)
       for (const auto& [name, value] : overlap_boundary_values)
         values[std::string(background_rule_names[rule]) + ":" + name] = row.overlap_boundary[rule].*value;
@@ -171,7 +225,7 @@ nlohmann::ordered_json to_json(const std::vector<ScoreRow>& rows) {
 }
 
 std::string format_pairs(const PairDecisions& pairs, const std::string& level) {
-  return "\n(d) " + level + " level: classifier on the pairs of held-out scenes\npositive" +
+  return "\n" + level + " level: classifier on the pairs of held-out scenes\npositive" +
          right_aligned(std::to_string(pairs.true_positive + pairs.false_negative)) + ", of them missed" +
          right_aligned(std::to_string(pairs.false_negative)) + "\nnegative" +
          right_aligned(std::to_string(pairs.true_negative + pairs.false_positive)) + ", of them joined" +

@@ -167,6 +167,16 @@ TEST(ScoreImage, DropsSegmentsOutsideTheGroundTruth) {
   expect_values(values(score, BackgroundRule::table), {1, 1, 1, 1, 1, 1, 1});
 }
 
+TEST(ScoreImage, IgnoredPixelsCountNeitherWay) {
+  // What a segment covers of pixels that nobody annotated, label 0, is no error; the rest of it is scored as it is.
+  Labels ground_truth = two_objects();
+  ground_truth(cv::Rect(15, 0, 5, 20)).setTo(0);
+  const ImageScore score = score_image(ground_truth, paint(1, {{{5, 5, 15, 10}, 2}, {second_object, 3}}));
+  EXPECT_EQ(score.pooled.false_positive, 0);
+  for (const auto rule : {BackgroundRule::table, BackgroundRule::majority})
+    expect_values(values(score, rule), {1, 1, 1, 1, 1, 1, 1});
+}
+
 TEST(ScoreImage, TakesSegmentsForBackgroundByRule) {
   // An object and the table beside it, 900 pixels each, both found.
   const Labels ground_truth = paint(1, {{{0, 0, 30, 30}, 20}}, {60, 30});
@@ -216,8 +226,8 @@ TEST(Summarise, PoolsPixelsAndAveragesTheRest) {
   EXPECT_EQ(rows[1].images, 2);
   EXPECT_EQ(rows[1].regions, 2);
   EXPECT_DOUBLE_EQ(rows[1].segments, 1);
-  EXPECT_DOUBLE_EQ(rows[1].pooled.precision(), 1);
-  EXPECT_DOUBLE_EQ(rows[1].pooled.recall(), 100.0 / 400.0);
+  EXPECT_DOUBLE_EQ(rows[1].precision, 1);
+  EXPECT_DOUBLE_EQ(rows[1].recall, 100.0 / 400.0);
   EXPECT_DOUBLE_EQ(rows[1].overlap_boundary[0].overlap_f, 0.5);
   EXPECT_DOUBLE_EQ(rows[1].object_parts.weighted_overlap, 0.5);
 }
@@ -232,20 +242,67 @@ TEST(Summarise, KeepsTheOrderOfFirstAppearance) {
   EXPECT_EQ(rows[1].category, "boxes");
 }
 
+TEST(WithMean, CountsCategoriesAlikeWhateverTheirImages) {
+  auto scores = found_and_missed();
+  scores.push_back(scores[1]);
+  const std::vector<ScoreRow> rows = with_mean(summarise(scores, {"boxes", "bowls", "bowls"}));
+  ASSERT_EQ(rows.size(), 4u);
+  EXPECT_EQ(rows[2].category, "mean");
+  EXPECT_EQ(rows[2].images, 3);
+  EXPECT_EQ(rows[2].regions, 3);
+  EXPECT_DOUBLE_EQ(rows[2].segments, 1);  // two and none
+  EXPECT_DOUBLE_EQ(rows[2].recall, 0.5);
+  EXPECT_DOUBLE_EQ(rows[2].overlap_boundary[0].detected, 0.5);
+  EXPECT_DOUBLE_EQ(rows[2].object_parts.weighted_overlap, 0.5);
+  EXPECT_EQ(rows[3].category, "all");
+  EXPECT_DOUBLE_EQ(rows[3].recall, 100.0 / 700.0);
+  EXPECT_DOUBLE_EQ(rows[3].overlap_boundary[0].detected, 1.0 / 3);
+}
+
+TEST(WithMean, NeedsTwoCategories) {
+  EXPECT_EQ(with_mean(summarise(found_and_missed(), {"boxes", "boxes"})).size(), 2u);
+  EXPECT_EQ(with_mean(summarise(found_and_missed(), {"", ""})).size(), 1u);
+}
+
 TEST(FormatTables, AlignsPercentages) {
-  const std::string text = format_tables(summarise(found_and_missed(), {"", ""}), RegionKind::objects);
-  EXPECT_NE(text.find("category             images  regions segs/img        P        R\n"
-                      "all                       2        2      1.0   100.00    25.00\n"),
-            std::string::npos)
-      << text;
+  const std::vector<ScoreRow> rows = summarise(found_and_missed(), {"", ""});
+  const std::string first = format_tables(rows, RegionKind::objects, BackgroundRule::table);
+  const auto objects = first.find(
+      "category             images    F>.75       oF       bF\n"
+      "all                       2    50.00    50.00    50.00\n");
+  const auto pooled = first.find(
+      "category             images  regions segs/img        P        R\n"
+      "all                       2        2      1.0   100.00    25.00\n");
+  EXPECT_LT(objects, pooled) << first;
+  EXPECT_NE(pooled, std::string::npos) << first;
+  const std::string text = format_other_tables(rows, RegionKind::objects);
   EXPECT_NE(text.find("category                 oP       oR       oF       bP       bR       bF    F>.75\n"
                       "all                  100.00    50.00    50.00   100.00    50.00    50.00    50.00\n"),
             std::string::npos)
       << text;
 }
 
+TEST(FormatTables, TheFirstIsOfTheRuleAskedFor) {
+  // One segment of table and object, most of it table.
+  const std::vector<ScoreRow> rows = summarise({score_image(two_objects(), paint(1, {}))}, {""});
+  const auto has = [&](BackgroundRule rule, const std::string& line) {
+    return format_tables(rows, RegionKind::objects, rule).find(line) != std::string::npos;
+  };
+  EXPECT_TRUE(has(BackgroundRule::majority, "all                       1     0.00     0.00     0.00\n"));
+  EXPECT_TRUE(has(BackgroundRule::none, "all                       1     0.00    11.11     0.00\n"));
+}
+
+TEST(FormatTables, LongNamesWidenTheColumn) {
+  const std::string name = "other_sensors/anygrasp_tracking";
+  const std::string text =
+      format_tables(summarise(found_and_missed(), {name, name}), RegionKind::objects, BackgroundRule::none);
+  EXPECT_NE(text.find("\n" + name + "        2    50.00"), std::string::npos) << text;
+  EXPECT_NE(text.find("\nall" + std::string(name.size() - 3, ' ') + "        2    50.00"), std::string::npos) << text;
+}
+
 TEST(FormatTables, PrintsWhatIsUndefinedAsNan) {
-  const std::string text = format_tables(summarise({score_image(paint(1, {}), paint(3, {}))}, {""}), RegionKind::parts);
+  const std::string text =
+      format_other_tables(summarise({score_image(paint(1, {}), paint(3, {}))}, {""}), RegionKind::parts);
   EXPECT_NE(text.find("all                  100.00     0.00     0.00      nan      nan      nan\n"), std::string::npos)
       << text;
 }

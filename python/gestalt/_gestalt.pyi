@@ -1,7 +1,7 @@
 # SPDX-FileCopyrightText: 2026 The Gestalt authors
 # SPDX-License-Identifier: BSD-3-Clause
 from collections.abc import Mapping, Sequence
-from typing import Any
+from typing import Any, Literal
 
 import numpy
 from numpy.typing import NDArray
@@ -124,6 +124,8 @@ def cross_validate(
     config: Path | None = None,
     overrides: Sequence[str] = [],
     *,
+    leave_one_out: Literal["category", "set"] | None = None,
+    also_train: Paths = (),
     components: Mapping[str, type[Component]] | None = None,
     threads: int = 0,
 ) -> Scores: ...

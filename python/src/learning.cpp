@@ -4,6 +4,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 #include <nlohmann/json.hpp>
+#include <optional>
 
 #include "arrays.h"
 #include "components.h"
@@ -12,6 +13,7 @@
 #include "gestalt/core/pipeline/learning_set.h"
 #include "gestalt/evaluation/score/cross_validation.h"
 #include "gestalt/evaluation/score/evaluation.h"
+#include "gestalt/evaluation/score/scene_sets.h"
 #include "gestalt/io/scene/input.h"
 #include "segmenter.h"
 
@@ -67,22 +69,31 @@ py::object train(const py::object& scenes, const fs::path& output, const py::obj
 }
 
 py::object cross_validate(const py::object& scenes, int folds, std::uint64_t seed, const py::object& config,
-                          const std::vector<std::string>& overrides, const py::object& components, int threads) {
-  const std::vector<fs::path> given = paths(scenes);
+                          const std::vector<std::string>& overrides, const std::optional<std::string>& left_out,
+                          const py::object& also_train, const py::object& components, int threads) {
+  const std::vector<fs::path> given = paths(scenes), others = paths(also_train);
   const LoadedConfig loaded = load_config(config, overrides, registered(components));
   return object_of(Arena(threads).run([&] {
     const Pipeline pipeline(loaded.config, loaded.registry);
     const std::vector<fs::path> all = find_scenes(given);
-    const std::vector<std::string> categories = scene_categories(all);
-    const std::vector<int> fold = deal_folds(categories, folds, seed);
+    std::vector<int> fold;
+    int count = folds;
+    if (left_out) {
+      const LeaveOneOut dealt = leave_one_out(all, left_out_named(*left_out));
+      fold = dealt.fold;
+      count = dealt.folds();
+    } else {
+      fold = deal_folds(scene_categories(all), folds, seed);
+    }
     const PerceivedScenes perceived = perceive(pipeline, all);
-    const std::vector<Models> models = learn_folds(pipeline, perceived.pointers(), fold, folds);
+    const PerceivedScenes additional = perceive(pipeline, find_additional_scenes(others, all));
+    const std::vector<Models> models = learn_folds(pipeline, perceived.pointers(), fold, count, additional.pointers());
     std::vector<ImageScore> scores(all.size());
     for_all(all.size(), [&](std::size_t i) {
       const Models& theirs = models[std::size_t(fold[i])];
       scores[i] = score_image(perceived.ground_truth[i], pipeline.decide(perceived.scenes[i].percept, theirs).labels);
     });
-    return to_json(summarise(scores, categories));
+    return to_json(with_mean(summarise(scores, scene_rows(all))));
   }));
 }
 
@@ -118,10 +129,13 @@ scenes: folders of scenes, one or many. Returns of each level the classifier, th
 Use the model with overrides=["model=..."].)");
   module.def("cross_validate", &cross_validate, py::arg("scenes"), py::arg("folds") = 5, py::arg("seed") = 0,
              py::arg("config") = py::none(), py::arg("overrides") = std::vector<std::string>{}, py::kw_only(),
+             py::arg("leave_one_out") = py::none(), py::arg("also_train") = py::tuple(),
              py::arg("components") = py::none(), py::arg("threads") = 0,
              R"(Trains on all folds of the scenes but one and scores that one, for each.
 
-Returns the scores of each category, and of "all", as `gestalt evaluate --cross-validate N --json` prints them.)");
+leave_one_out: "category" or "set", each of which is then a fold; folds and seed do not count. also_train: scenes that
+every fold learns from and that are not scored. Returns the scores of each category (of several sets SET/CATEGORY),
+their "mean", and of "all", as `gestalt evaluate --cross-validate N --json` prints them.)");
   module.def("score", &score, py::arg("ground_truth"), py::arg("labels"),
              "Scores of one label image against ground truth, where that has 0 for pixels without depth.");
 }

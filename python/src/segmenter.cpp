@@ -16,6 +16,7 @@
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/for_all.h"
 #include "gestalt/evaluation/score/evaluation.h"
+#include "gestalt/evaluation/score/scene_sets.h"
 #include "gestalt/io/result/result.h"
 #include "gestalt/io/scene/input.h"
 
@@ -147,7 +148,7 @@ class PySegmenter {
         const auto ground_truth = scored_ground_truth(input);
         scores[i] = score_image(ground_truth, segmenter_.segment(input.frame).segmentation.labels);
       });
-      return to_json(summarise(scores, scene_categories(all)));
+      return to_json(with_mean(summarise(scores, scene_rows(all))));
     }));
   }
 
@@ -244,7 +245,9 @@ PluginError when a component fails.)")
       .def("segment", &PySegmenter::read, py::arg("scene"), py::arg("camera") = py::none(),
            "Segments a scene folder or a cloud, as `gestalt segment` does; camera replaces the scene's.")
       .def("evaluate", &PySegmenter::evaluate, py::arg("scenes"),
-           "Scores of scenes with ground truth by category, and of \"all\", as `gestalt evaluate --json` prints them.")
+           "Scores of scenes with ground truth by category (of several sets SET/CATEGORY), their \"mean\", and of "
+           "\"all\", "
+           "as `gestalt evaluate --json` prints them.")
       .def_property_readonly("config", &PySegmenter::config, "The resolved config as a dictionary.");
 
   module.def("read_scene", &read, py::arg("scene"), py::arg("camera") = py::none());

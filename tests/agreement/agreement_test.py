@@ -140,8 +140,9 @@ def equal(a, b):
 
 
 def numbers(tables):
-    """The lines of the tables that hold category and numbers, in order."""
-    return [line for line in tables.splitlines() if re.match(r"\S+( +(-?[0-9.]+|nan))+$", line)]
+    """The lines of the tables that hold category and numbers, in order, without those of the mean over categories."""
+    lines = [line for line in tables.splitlines() if re.match(r"\S+( +(-?[0-9.]+|nan))+$", line)]
+    return [line for line in lines if not line.startswith("mean ")]
 
 
 class Agreement(unittest.TestCase):
@@ -153,16 +154,39 @@ class Agreement(unittest.TestCase):
                 check=True, stdout=subprocess.PIPE, text=True).stdout
             expected = json.loads(file.read_text())
         command = [GESTALT, "evaluate", scenes, "--predictions", predictions, *options]
+        self.compare_first_tables(command, expected)
+        command.append("--all")
         tables = subprocess.run(command, check=True, stdout=subprocess.PIPE, text=True).stdout
         actual = json.loads(subprocess.run(command + ["--json"], check=True, stdout=subprocess.PIPE, text=True).stdout)
 
+        # What the reference has not: how it was scored, and the mean over the categories.
+        image = options[options.index("--image") + 1] if "--image" in options else "labels.png"
+        self.assertEqual(actual.pop("scored")["image"], image)
+        mean = actual.pop("mean")
+        for key in ("P", "R", "majority:oF", "none:F>.75", "parts_objects:WOv"):
+            values = [row[key] for category, row in expected.items() if category != "all"]
+            undefined = any(value is None or math.isnan(value) for value in values)
+            self.assertTrue(equal(mean[key], None if undefined else sum(values) / len(values)), key)
         self.assertEqual(list(actual), list(expected))
         for category, row in expected.items():
             self.assertEqual(list(actual[category]), list(row))
             for key, value in row.items():
                 self.assertTrue(equal(actual[category][key], value), (category, key, actual[category][key], value))
+        tables = tables.split("\n\n", 2)[2]  # the first table holds columns of a later one
         self.assertGreaterEqual(len(numbers(tables)), 6 * len(expected))
         self.assertEqual(numbers(tables), numbers(reference))
+
+    def compare_first_tables(self, command, expected):
+        """What is printed without --all is told by rule: F > 0.75, overlap F and boundary F of each row."""
+        for rule in ("majority", "none"):
+            text = subprocess.run([*command, "--rule", rule], check=True, stdout=subprocess.PIPE, text=True).stdout
+            self.assertIn(f"under the rule {rule}:", text)
+            printed = [line.split() for line in numbers(text)[:len(expected)]]
+            self.assertEqual([line[0] for line in printed], list(expected))
+            for (category, images, *values), row in zip(printed, expected.values()):
+                self.assertEqual(int(images), row["images"])
+                wanted = [row[f"{rule}:{key}"] for key in ("F>.75", "oF", "bF")]
+                self.assertEqual(values, [f"{100 * value:.2f}" for value in wanted], category)
 
     def test_learn_set_by_category(self):
         with tempfile.TemporaryDirectory() as folder:

@@ -19,6 +19,6 @@ run("support_height" ${with_plugin} plugins list)
 run("highest: real" ${with_plugin} plugins describe support_height)
 run("" ${gestalt} synthesize --category mixed_objects --seed 11 --count 4 --output ${WORK}/scenes)
 run("r_sh" ${with_plugin} train ${WORK}/scenes --config ${example}/config.yaml --output ${WORK}/model.json)
-run("balanced error" ${with_plugin} evaluate ${WORK}/scenes --cross-validate 2 --config ${example}/config.yaml)
-run("balanced error" ${with_plugin} evaluate ${WORK}/scenes --cross-validate 2 --config ${example}/config.yaml --set
+run("balanced error" ${with_plugin} evaluate ${WORK}/scenes --cross-validate 2 --all --config ${example}/config.yaml)
+run("balanced error" ${with_plugin} evaluate ${WORK}/scenes --cross-validate 2 --all --config ${example}/config.yaml --set
     structural.relations.support_height=off)

@@ -82,7 +82,8 @@ class Sdk:
             expect(name, run(self.gestalt, "config", "print", project / "config.yaml"))
             # So few scenes have no pairs to learn the assembly level from.
             structural = ("--set", "levels=structural")
-            expect("balanced error", run(self.gestalt, "evaluate", scenes, "--cross-validate", 2, *config, *structural))
+            expect("balanced error", run(self.gestalt, "evaluate", scenes, "--cross-validate", 2, "--all", *config,
+                                           *structural))
 
     def own_program(self):
         with tempfile.TemporaryDirectory() as work:
