@@ -26,4 +26,10 @@ namespace gestalt {
 GESTALT_EXPORT std::vector<Role> find_roles(const Frame& frame, const SurfaceSet& surfaces,
                                             const FigureGroundParams& params);
 
+/// How much the camera sees of each surface: the area that its pixels cover at their depth, seen from the front, in units
+/// of the least that an object shows: min_object, or what noise makes of nothing, (least_extent sigma(z))^2. Sizes of
+/// surfaces add up; a segment of less than 1 is background.
+GESTALT_EXPORT std::vector<double> find_sizes(const Frame& frame, const SurfaceSet& surfaces,
+                                              const FigureGroundParams& params);
+
 }  // namespace gestalt
