@@ -15,10 +15,10 @@ namespace gestalt::app {
 
 /// --config, --set and --threads, which several subcommands share.
 struct PipelineOptions {
-  std::filesystem::path config;        ///< empty: default_config()
+  std::filesystem::path config;         ///< empty: default_config()
   std::vector<std::string> shorthands;  ///< path=value, from options of their own; overrides come after them
   std::vector<std::string> overrides;   ///< path=value
-  int threads = 0;                     ///< 0: as many as the machine has
+  int threads = 0;                      ///< 0: as many as the machine has
 };
 
 /// default_name: of the config that the command uses when no other is asked for, for its help.

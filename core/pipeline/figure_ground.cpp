@@ -5,8 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <cstdio>
-#include <cstdlib>
 #include <optional>
 
 #include "sheet.h"
@@ -15,6 +13,10 @@ namespace gestalt {
 
 namespace {
 
+constexpr double largest_dent = 10;       // of find_sizes()
+constexpr double same_direction = 0.966;  // cosine of 15 degrees
+constexpr double widest_contact = 0.3;    // of a table's diameter, along which its frame may touch the floor
+
 class FigureGround {
  public:
   FigureGround(const Frame& frame, const SurfaceSet& surfaces, const FigureGroundParams& params)
@@ -22,6 +24,7 @@ class FigureGround {
         surfaces_(surfaces),
         params_(params),
         clouds_(sample_surfaces(frame, surfaces, params.max_depth)),
+        sizes_(find_sizes(frame, surfaces, params)),
         roles_(clouds_.size(), Role::object) {
     for (std::size_t s = 0; s < clouds_.size(); ++s) {
       if (clouds_[s].points.empty()) roles_[s] = Role::background;
@@ -39,21 +42,19 @@ class FigureGround {
   std::vector<Role> roles() {
     const std::vector<Sheet> sheets = find_sheets(frame_, clouds_, params_.tolerance);
     const Sheet* ground = find_ground(sheets);
-    if (std::getenv("FG_DEBUG") && !std::getenv("FG_QUIET"))
-      for (const Sheet& sheet : sheets)
-        if (sheet.weight > 0.01 * weight_) {
-          const Position all = position_of_all(sheet);
-          fprintf(stderr, "SHEET %s area %.3f diam %.2f surfaces %zu share %.3f weight %.3f z %.2f tol %.1f at (%.0f,%.0f) n (%.2f %.2f %.2f) within %.3f hull %.3f before %.3f behind %.3f %s\n", frame_.name.c_str(), sheet.area, sheet.diameter, sheet.surfaces.size(), sheet.pixels/pixels_, sheet.weight/weight_, sheet.plane.point.z(), sheet.tolerance, sheet.plane.point.x()/sheet.plane.point.z()*frame_.camera.fx+frame_.camera.cx, sheet.plane.point.y()/sheet.plane.point.z()*frame_.camera.fy+frame_.camera.cy, sheet.plane.normal.x(), sheet.plane.normal.y(), sheet.plane.normal.z(), all.within, all.before_hull, all.before, all.behind, &sheet == ground ? "GROUND" : "");
-        }
     if (!ground) return roles_;
     accept(*ground);
     for (const Sheet& sheet : sheets)
       if (&sheet != ground && is_wall(sheet, *ground)) accept(sheet);
     for (const Sheet& sheet : sheets)
       if (!is_background(sheet) && is_table(sheet, *ground)) accept(sheet);
+    for (const Sheet& sheet : sheets)
+      if (!is_background(sheet) && is_bottom(sheet, sheets)) accept(sheet);
     const std::vector<const Sheet*> stages = find_stages();
+    for (const Sheet* stage : stages)
+      for (const Sheet* wall : walls_around(*stage, sheets)) accept(*wall);
     for (std::size_t s = 0; s < clouds_.size(); ++s)
-      if (!is_on_one_of(stages, clouds_[s])) roles_[s] = Role::background;
+      if (roles_[s] == Role::object && !is_figure(s, stages)) roles_[s] = Role::background;
     return roles_;
   }
 
@@ -98,15 +99,15 @@ class FigureGround {
     for (const int s : sheet.surfaces) {
       const Cloud& cloud = clouds_[std::size_t(s)];
       own += cloud.pixels;
-      over_ground +=
-          cloud.pixels * ground.position(cloud, frame_.noise, params_.margin * ground.diameter).before_hull;
+      over_ground += cloud.pixels * ground.position(cloud, frame_.noise, params_.margin * ground.diameter).before_hull;
       counted[std::size_t(s)] = true;
     }
     const bool large_enough =
         2 * over_ground > own ? sheet.area >= params_.smallest_support : own >= params_.largest_remainder * pixels_;
+    // A floor of many square metres may be most of the room and little of what is within reach.
     const bool close = sheet.weight >= ground.weight && sheet.area >= params_.smallest_support;
     if (sheet.area < params_.relative_area * ground.area && !(large_enough && !leads_to_a_support(sheet)) &&
-        !(close && contact_with_supports(sheet) < 0.3 * sheet.diameter))
+        !(close && contact_with_supports(sheet) < widest_contact * sheet.diameter))
       return false;
     for (const int s : sheet.surfaces)
       for (const int other : touching_[std::size_t(s)]) {
@@ -158,7 +159,6 @@ class FigureGround {
       if (a_supports != b_supports && side[a_supports ? b : a])
         for (const PixelPair& pair : adjacency.border_3d) length += double(frame_.depth(pair.a)) / frame_.camera.fx;
     }
-    if (std::getenv("FG_DEBUG") && !std::getenv("FG_QUIET")) fprintf(stderr, "CONTACT %s %.3f of %.3f\n", frame_.name.c_str(), length/2, sheet.diameter);
     return length / 2;  // each pixel of a border is in about two pairs
   }
 
@@ -172,20 +172,33 @@ class FigureGround {
     for (const int s : sheet.surfaces) roles_[std::size_t(s)] = Role::background;
   }
 
-  /// The supports that carry what the frame is of.
+  /// The supports that carry what the frame is of: the one with the most on it within reach, others that carry nearly
+  /// as much, but not the floor under a table.
   std::vector<const Sheet*> find_stages() const {
     std::vector<double> carried(supports_.size(), 0);
     for (std::size_t s = 0; s < clouds_.size(); ++s)
       if (roles_[s] == Role::object)
         if (const std::optional<std::size_t> carrier = carrier_of(clouds_[s])) carried[*carrier] += clouds_[s].weight;
-    const double most = *std::max_element(carried.begin(), carried.end());
-    std::vector<const Sheet*> stages;
-    for (std::size_t i = 0; i < supports_.size(); ++i) {
-      if (carried[i] >= 0.25 * most) stages.push_back(supports_[i]);
-      if (std::getenv("FG_DEBUG") && !std::getenv("FG_QUIET"))
-        fprintf(stderr, "SUPPORT %s area %.3f weight %.3f diam %.2f z %.2f n (%.2f %.2f %.2f) carried %.4f %s\n", frame_.name.c_str(), supports_[i]->area, supports_[i]->weight/weight_, supports_[i]->diameter, supports_[i]->plane.point.z(), supports_[i]->plane.normal.x(), supports_[i]->plane.normal.y(), supports_[i]->plane.normal.z(), carried[i] / weight_, carried[i] >= 0.25 * most ? "STAGE" : "");
-    }
+    const auto most = std::size_t(std::max_element(carried.begin(), carried.end()) - carried.begin());
+    std::vector<const Sheet*> stages{supports_[most]};
+    for (std::size_t i = 0; i < supports_.size(); ++i)
+      if (i != most && carried[i] >= params_.relative_area * carried[most] &&
+          supports_[i]->weight >= params_.largest_remainder * weight_ && !stands_on(*stages.front(), *supports_[i]))
+        stages.push_back(supports_[i]);
     return stages;
+  }
+
+  /// Whether a surface is before a support and over it, or nearly so.
+  bool is_on(const Sheet& support, const Cloud& cloud) const {
+    const Position where = support.position(cloud, frame_.noise, params_.margin * support.diameter);
+    return where.before_hull > where.behind + (where.before - where.before_hull);
+  }
+
+  bool stands_on(const Sheet& sheet, const Sheet& support) const {
+    double on = 0;
+    for (const int s : sheet.surfaces)
+      if (is_on(support, clouds_[std::size_t(s)])) on += clouds_[std::size_t(s)].pixels;
+    return 2 * on > sheet.pixels;
   }
 
   /// What stands on a support is before it and over it, and of those the nearest is the one; but of several planes that
@@ -195,7 +208,7 @@ class FigureGround {
     std::optional<std::size_t> carrier;
     double least = 0;
     for (std::size_t i = 0; i < supports_.size(); ++i) {
-      if (2 * supports_[i]->position(cloud, frame_.noise, 0).before_hull <= 1) continue;
+      if (!is_on(*supports_[i], cloud)) continue;
       below.push_back(i);
       double distance = 0;
       for (const Eigen::Vector3f& p : cloud.points) distance += supports_[i]->plane.distance(p);
@@ -211,19 +224,84 @@ class FigureGround {
   }
 
   bool continues(const Sheet& sheet, const Sheet& other) const {
-    return sheet.plane.normal.dot(other.plane.normal) > std::cos(15 * CV_PI / 180) &&
+    return sheet.plane.normal.dot(other.plane.normal) > same_direction &&
            std::abs(sheet.plane.distance(other.plane.point.cast<float>())) < params_.margin * sheet.diameter;
   }
 
-  /// Whether a surface is before some stage and over it, and not in the plane of any support.
-  bool is_on_one_of(const std::vector<const Sheet*>& stages, const Cloud& cloud) const {
+  /// Whether a surface is on a stage and neither in the plane of a support nor a dent of the stage.
+  bool is_figure(std::size_t s, const std::vector<const Sheet*>& stages) const {
+    const Cloud& cloud = clouds_[s];
     if (std::any_of(supports_.begin(), supports_.end(),
                     [&](const Sheet* support) { return support->has(cloud, frame_.noise); }))
       return false;
-    return std::any_of(stages.begin(), stages.end(), [&](const Sheet* stage) {
-      const Position where = stage->position(cloud, frame_.noise, params_.margin * stage->diameter);
-      return where.before_hull > where.behind + (where.before - where.before_hull);
+    return std::any_of(stages.begin(), stages.end(), [&](const Sheet* stage) { return is_on(*stage, cloud); }) &&
+           std::none_of(stages.begin(), stages.end(), [&](const Sheet* stage) { return is_dent(s, *stage); });
+  }
+
+  /// Whether a surface is what errors of depth make of a stage: low, small, and surrounded by it.
+  bool is_dent(std::size_t s, const Sheet& stage) const {
+    if (sizes_[s] > largest_dent) return false;
+    const Cloud& cloud = clouds_[s];
+    const auto high = std::count_if(cloud.points.begin(), cloud.points.end(), [&](const Eigen::Vector3f& p) {
+      return std::abs(stage.plane.distance(p)) > 2 * stage.tolerance * frame_.noise.at(double(p.z()));
     });
+    if (double(high) > 0.1 * double(cloud.points.size())) return false;
+    std::size_t around = 0, flush = 0;
+    for (const Adjacency& adjacency : surfaces_.adjacencies) {
+      if (adjacency.a != int(s) && adjacency.b != int(s)) continue;
+      around += adjacency.border_2d.size();
+      if (stage.has(clouds_[std::size_t(adjacency.a == int(s) ? adjacency.b : adjacency.a)], frame_.noise))
+        flush += adjacency.border_3d.size();
+    }
+    return 2 * flush > around;
+  }
+
+  // ---------------------------------------------------------------------------------------------------- open
+  // containers
+
+  /// Whether a sheet is a wall of a container: it rises from the bottom along most of it, with all of the bottom on one
+  /// side. The faces of a box do not: the box's other faces lie behind them.
+  bool is_wall_of(const Sheet& wall, const Sheet& bottom) const {
+    const Eigen::Vector3d along = wall.plane.normal.cross(bottom.plane.normal);
+    if (along.norm() < 0.5) return false;
+    if (wall.extent(along.normalized()) < 0.7 * bottom.extent(along.normalized())) return false;
+    if (!stands_on(wall, bottom)) return false;
+    Position of_bottom;
+    for (const int s : bottom.surfaces) {
+      const Cloud& cloud = clouds_[std::size_t(s)];
+      const Position where = wall.position(cloud, frame_.noise, 0);
+      of_bottom.before += where.before * cloud.pixels / bottom.pixels;
+      of_bottom.behind += where.behind * cloud.pixels / bottom.pixels;
+    }
+    if (std::min(of_bottom.before, of_bottom.behind) > 0.05) return false;
+    double behind = 0;
+    std::vector<bool> counted(clouds_.size(), false);
+    for (const int s : wall.surfaces)
+      for (const int other : touching_[std::size_t(s)]) {
+        const auto t = std::size_t(other);
+        if (counted[t] || roles_[t] == Role::background) continue;
+        counted[t] = true;
+        const Position where = wall.position(clouds_[t], frame_.noise, 0);
+        if (2 * where.behind > 1) behind += clouds_[t].pixels;
+      }
+    return behind < 0.2 * wall.pixels;
+  }
+
+  std::vector<const Sheet*> walls_around(const Sheet& bottom, const std::vector<Sheet>& sheets) const {
+    std::vector<const Sheet*> walls;
+    for (const Sheet& sheet : sheets)
+      if (&sheet != &bottom && !is_background(sheet) && is_wall_of(sheet, bottom)) walls.push_back(&sheet);
+    return walls;
+  }
+
+  /// Whether a sheet is the bottom of a container with things in it: two of its walls are seen from within.
+  bool is_bottom(const Sheet& sheet, const std::vector<Sheet>& sheets) const {
+    if (sheet.area < params_.smallest_support || sheet.weight < params_.largest_remainder * weight_) return false;
+    const std::vector<const Sheet*> walls = walls_around(sheet, sheets);
+    for (const Sheet* a : walls)
+      for (const Sheet* b : walls)
+        if (a->plane.normal.dot(b->plane.normal) < std::cos(CV_PI / 4)) return true;
+    return false;
   }
 
   const Frame& frame_;
@@ -231,6 +309,7 @@ class FigureGround {
   const FigureGroundParams& params_;
   std::vector<Cloud> clouds_;
   std::vector<std::vector<int>> touching_;
+  std::vector<double> sizes_;
   std::vector<Role> roles_;
   std::vector<const Sheet*> supports_;
   double weight_ = 0, pixels_ = 0;

@@ -32,8 +32,8 @@ double quantile_of(std::vector<double>& values, double share) {
 
 /// 4 standard deviations of the points in their direction of largest spread: about the diameter of a plane.
 double extent_of(const Moments& moments) {
-  return 4 * std::sqrt(std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments.covariance())
-                                         .eigenvalues()(2)));
+  return 4 * std::sqrt(
+                 std::max(0.0, Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d>(moments.covariance()).eigenvalues()(2)));
 }
 
 }  // namespace
@@ -66,15 +66,14 @@ std::vector<Cloud> sample_surfaces(const Frame& frame, const SurfaceSet& surface
 // ------------------------------------------------------------------------------------------------------------ a sheet
 
 bool Sheet::has(const Cloud& cloud, const DepthNoise& noise) const {
-  std::size_t near = 0;
-  double sum = 0;
+  const auto count = double(cloud.points.size());
+  double away = 0, sum = 0;
   for (const Eigen::Vector3f& p : cloud.points) {
     const double deviation = plane.distance(p) / (tolerance * noise.at(double(p.z())));
-    near += std::abs(deviation) < 1;
+    if (!(std::abs(deviation) < 1) && ++away > (1 - most) * count) return false;
     sum += deviation;
   }
-  const auto count = double(cloud.points.size());
-  return double(near) >= most * count && std::abs(sum) < 0.5 * count;
+  return std::abs(sum) < 0.5 * count;
 }
 
 Position Sheet::position(const Cloud& cloud, const DepthNoise& noise, double margin) const {
@@ -119,9 +118,8 @@ void Sheet::enclose(const std::vector<Cloud>& clouds) {
   first_axis_ = plane.normal.unitOrthogonal();
   second_axis_ = plane.normal.cross(first_axis_);
   std::vector<int> by_size = surfaces;
-  std::stable_sort(by_size.begin(), by_size.end(), [&](int a, int b) {
-    return clouds[std::size_t(a)].pixels > clouds[std::size_t(b)].pixels;
-  });
+  std::stable_sort(by_size.begin(), by_size.end(),
+                   [&](int a, int b) { return clouds[std::size_t(a)].pixels > clouds[std::size_t(b)].pixels; });
   std::vector<cv::Point2f> points;
   double enclosed = 0;
   for (const int s : by_size) {
@@ -130,6 +128,7 @@ void Sheet::enclose(const std::vector<Cloud>& clouds) {
     for (const Eigen::Vector3f& p : clouds[std::size_t(s)].points) points.push_back(in_plane(p));
   }
   cv::convexHull(points, corners_);
+  diameter = 0;
   for (const cv::Point2f& a : corners_)
     for (const cv::Point2f& b : corners_) diameter = std::max(diameter, double(cv::norm(a - b)));
   cv::Point2f middle(0, 0);
@@ -176,7 +175,13 @@ class SheetSearch {
   }
 
  private:
-  /// Plane and tolerance only.
+  static bool reaches(const Cloud& cloud, const Sheet& sheet) {
+    return std::any_of(cloud.points.begin(), cloud.points.end(), [&](const Eigen::Vector3f& p) {
+      return (p.cast<double>() - sheet.plane.point).norm() < sheet.diameter;
+    });
+  }
+
+  /// Plane, tolerance and about the diameter.
   Sheet plane_of(const std::vector<int>& surfaces) const {
     Sheet sheet;
     Moments moments;
@@ -195,10 +200,12 @@ class SheetSearch {
     const double roughness = quantile_of(deviations, 0.68);
     const double bent = flatness * extent_of(moments) / sigma;
     sheet.tolerance = std::max(tolerance_, std::min(tolerance_ * roughness, bent));
+    sheet.diameter = extent_of(moments);
     return sheet;
   }
 
-  /// The surfaces in the plane of a seed. The plane is fitted anew once to all that are found.
+  /// The surfaces in the plane of a seed, no farther from it than its size: what lies in a plane by chance, elsewhere
+  /// in the room, is no part of a table. The plane is fitted anew once to all that are found.
   Sheet grow(int seed) const {
     std::vector<int> members{seed};
     Sheet sheet;
@@ -206,7 +213,7 @@ class SheetSearch {
       sheet = plane_of(members);
       members.clear();
       for (std::size_t s = 0; s < clouds_.size(); ++s)
-        if (sheet.has(clouds_[s], frame_.noise)) members.push_back(int(s));
+        if (sheet.has(clouds_[s], frame_.noise) && reaches(clouds_[s], sheet)) members.push_back(int(s));
       if (members.empty()) return {};
     }
     sheet.surfaces = members;
