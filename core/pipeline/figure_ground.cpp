@@ -48,8 +48,10 @@ class FigureGround {
       if (&sheet != ground && is_wall(sheet, *ground)) accept(sheet);
     for (const Sheet& sheet : sheets)
       if (!is_background(sheet) && is_table(sheet, *ground)) accept(sheet);
-    for (const Sheet& sheet : sheets)
-      if (!is_background(sheet) && is_bottom(sheet, sheets)) accept(sheet);
+    while (const Sheet* bottom = find_bottom(sheets)) {
+      accept(*bottom);
+      for (const Sheet* wall : walls_around(*bottom, sheets)) accept(*wall);
+    }
     const std::vector<const Sheet*> stages = find_stages();
     for (const Sheet* stage : stages)
       for (const Sheet* wall : walls_around(*stage, sheets)) accept(*wall);
@@ -94,13 +96,11 @@ class FigureGround {
   }
 
   bool is_table(const Sheet& sheet, const Sheet& ground) const {
-    double standing = 0, own = 0, over_ground = 0;
-    std::vector<bool> counted(clouds_.size(), false);
+    double own = 0, over_ground = 0;
     for (const int s : sheet.surfaces) {
       const Cloud& cloud = clouds_[std::size_t(s)];
       own += cloud.pixels;
       over_ground += cloud.pixels * ground.position(cloud, frame_.noise, params_.margin * ground.diameter).before_hull;
-      counted[std::size_t(s)] = true;
     }
     const bool large_enough =
         2 * over_ground > own ? sheet.area >= params_.smallest_support : own >= params_.largest_remainder * pixels_;
@@ -109,6 +109,14 @@ class FigureGround {
     if (sheet.area < params_.relative_area * ground.area && !(large_enough && !leads_to_a_support(sheet)) &&
         !(close && contact_with_supports(sheet) < widest_contact * sheet.diameter))
       return false;
+    return standing_on(sheet) >= params_.largest_remainder * own;
+  }
+
+  /// Pixels of the objects that touch a sheet and are over it.
+  double standing_on(const Sheet& sheet) const {
+    double standing = 0;
+    std::vector<bool> counted(clouds_.size(), false);
+    for (const int s : sheet.surfaces) counted[std::size_t(s)] = true;
     for (const int s : sheet.surfaces)
       for (const int other : touching_[std::size_t(s)]) {
         if (counted[std::size_t(other)] || roles_[std::size_t(other)] == Role::background) continue;
@@ -117,7 +125,7 @@ class FigureGround {
         const Position where = sheet.position(cloud, frame_.noise, 0);
         if (where.before_hull > where.behind) standing += where.before_hull * cloud.pixels;
       }
-    return standing >= params_.largest_remainder * own;
+    return standing;
   }
 
   /// Which surfaces a chain of touching objects leads to from a sheet.
@@ -179,25 +187,32 @@ class FigureGround {
     for (std::size_t s = 0; s < clouds_.size(); ++s)
       if (roles_[s] == Role::object)
         if (const std::optional<std::size_t> carrier = carrier_of(clouds_[s])) carried[*carrier] += clouds_[s].weight;
-    const auto most = std::size_t(std::max_element(carried.begin(), carried.end()) - carried.begin());
+    auto most = std::size_t(std::max_element(carried.begin(), carried.end()) - carried.begin());
+    // The floor carries a table, too, and with it all that is on the table.
+    for (std::size_t i = 0; i < supports_.size(); ++i)
+      if (carried[i] >= params_.largest_remainder * weight_ && supports_[i]->weight > supports_[most]->weight &&
+          stands_on(*supports_[i], *supports_[most], params_.margin))
+        most = i;
     std::vector<const Sheet*> stages{supports_[most]};
     for (std::size_t i = 0; i < supports_.size(); ++i)
       if (i != most && carried[i] >= params_.relative_area * carried[most] &&
-          supports_[i]->weight >= params_.largest_remainder * weight_ && !stands_on(*stages.front(), *supports_[i]))
+          supports_[i]->weight >= params_.largest_remainder * weight_ &&
+          !stands_on(*stages.front(), *supports_[i], params_.margin))
         stages.push_back(supports_[i]);
     return stages;
   }
 
   /// Whether a surface is before a support and over it, or nearly so.
-  bool is_on(const Sheet& support, const Cloud& cloud) const {
-    const Position where = support.position(cloud, frame_.noise, params_.margin * support.diameter);
+  bool is_on(const Sheet& support, const Cloud& cloud, double margin) const {
+    const Position where = support.position(cloud, frame_.noise, margin * support.diameter);
     return where.before_hull > where.behind + (where.before - where.before_hull);
   }
+  bool is_on(const Sheet& support, const Cloud& cloud) const { return is_on(support, cloud, params_.margin); }
 
-  bool stands_on(const Sheet& sheet, const Sheet& support) const {
+  bool stands_on(const Sheet& sheet, const Sheet& support, double margin) const {
     double on = 0;
     for (const int s : sheet.surfaces)
-      if (is_on(support, clouds_[std::size_t(s)])) on += clouds_[std::size_t(s)].pixels;
+      if (is_on(support, clouds_[std::size_t(s)], margin)) on += clouds_[std::size_t(s)].pixels;
     return 2 * on > sheet.pixels;
   }
 
@@ -265,7 +280,8 @@ class FigureGround {
     const Eigen::Vector3d along = wall.plane.normal.cross(bottom.plane.normal);
     if (along.norm() < 0.5) return false;
     if (wall.extent(along.normalized()) < 0.7 * bottom.extent(along.normalized())) return false;
-    if (!stands_on(wall, bottom)) return false;
+    // The near wall hides a part of the bottom.
+    if (!stands_on(wall, bottom, 3 * params_.margin)) return false;
     Position of_bottom;
     for (const int s : bottom.surfaces) {
       const Cloud& cloud = clouds_[std::size_t(s)];
@@ -294,7 +310,7 @@ class FigureGround {
     return walls;
   }
 
-  /// Whether a sheet is the bottom of a container with things in it: two of its walls are seen from within.
+  /// Whether a sheet may be the bottom of a container: two of its walls are seen from within.
   bool is_bottom(const Sheet& sheet, const std::vector<Sheet>& sheets) const {
     if (sheet.area < params_.smallest_support || sheet.weight < params_.largest_remainder * weight_) return false;
     const std::vector<const Sheet*> walls = walls_around(sheet, sheets);
@@ -302,6 +318,20 @@ class FigureGround {
       for (const Sheet* b : walls)
         if (a->plane.normal.dot(b->plane.normal) < std::cos(CV_PI / 4)) return true;
     return false;
+  }
+
+  /// The sides of a container see each other as it sees them; its bottom is the one that most stands on.
+  const Sheet* find_bottom(const std::vector<Sheet>& sheets) const {
+    const Sheet* bottom = nullptr;
+    double most = 0;
+    for (const Sheet& sheet : sheets) {
+      if (is_background(sheet) || !is_bottom(sheet, sheets)) continue;
+      const double standing = standing_on(sheet);
+      if (standing <= std::max(most, params_.largest_remainder * sheet.pixels)) continue;
+      bottom = &sheet;
+      most = standing;
+    }
+    return bottom;
   }
 
   const Frame& frame_;
