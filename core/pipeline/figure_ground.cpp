@@ -96,20 +96,19 @@ class FigureGround {
   }
 
   bool is_table(const Sheet& sheet, const Sheet& ground) const {
-    double own = 0, over_ground = 0;
+    double over_ground = 0;
     for (const int s : sheet.surfaces) {
       const Cloud& cloud = clouds_[std::size_t(s)];
-      own += cloud.pixels;
       over_ground += cloud.pixels * ground.position(cloud, frame_.noise, params_.margin * ground.diameter).before_hull;
     }
-    const bool large_enough =
-        2 * over_ground > own ? sheet.area >= params_.smallest_support : own >= params_.largest_remainder * pixels_;
+    const bool large_enough = 2 * over_ground > sheet.pixels ? sheet.area >= params_.smallest_support
+                                                             : sheet.pixels >= params_.largest_remainder * pixels_;
     // A floor of many square metres may be most of the room and little of what is within reach.
     const bool close = sheet.weight >= ground.weight && sheet.area >= params_.smallest_support;
     if (sheet.area < params_.relative_area * ground.area && !(large_enough && !leads_to_a_support(sheet)) &&
         !(close && contact_with_supports(sheet) < widest_contact * sheet.diameter))
       return false;
-    return standing_on(sheet) >= params_.largest_remainder * own;
+    return standing_on(sheet) >= params_.largest_remainder * sheet.pixels;
   }
 
   /// Pixels of the objects that touch a sheet and are over it.
@@ -128,28 +127,21 @@ class FigureGround {
     return standing;
   }
 
-  /// Which surfaces a chain of touching objects leads to from a sheet.
-  std::vector<bool> reached_from(const Sheet& sheet) const {
+  /// Whether touching surfaces lead from a sheet to a support.
+  bool leads_to_a_support(const Sheet& sheet) const {
     std::vector<bool> reached(clouds_.size(), false);
     std::vector<int> open = sheet.surfaces;
     for (const int s : open) reached[std::size_t(s)] = true;
     while (!open.empty()) {
       const int s = open.back();
       open.pop_back();
-      if (roles_[std::size_t(s)] == Role::background) continue;
+      if (roles_[std::size_t(s)] == Role::background) return true;
       for (const int other : touching_[std::size_t(s)])
         if (!reached[std::size_t(other)]) {
           reached[std::size_t(other)] = true;
           open.push_back(other);
         }
     }
-    return reached;
-  }
-
-  bool leads_to_a_support(const Sheet& sheet) const {
-    const std::vector<bool> reached = reached_from(sheet);
-    for (std::size_t s = 0; s < reached.size(); ++s)
-      if (reached[s] && roles_[s] == Role::background) return true;
     return false;
   }
 
@@ -271,8 +263,7 @@ class FigureGround {
     return 2 * flush > around;
   }
 
-  // ---------------------------------------------------------------------------------------------------- open
-  // containers
+  // ------------------------------------------------------------------------------------------------ open containers
 
   /// Whether a sheet is a wall of a container: it rises from the bottom along most of it, with all of the bottom on one
   /// side. The faces of a box do not: the box's other faces lie behind them.
@@ -303,21 +294,16 @@ class FigureGround {
     return behind < 0.2 * wall.pixels;
   }
 
+  /// The walls of a container with this bottom, of which two are to be seen from within; else none: one plane beside a
+  /// table may be a face of something large.
   std::vector<const Sheet*> walls_around(const Sheet& bottom, const std::vector<Sheet>& sheets) const {
     std::vector<const Sheet*> walls;
     for (const Sheet& sheet : sheets)
       if (&sheet != &bottom && !is_background(sheet) && is_wall_of(sheet, bottom)) walls.push_back(&sheet);
-    return walls;
-  }
-
-  /// Whether a sheet may be the bottom of a container: two of its walls are seen from within.
-  bool is_bottom(const Sheet& sheet, const std::vector<Sheet>& sheets) const {
-    if (sheet.area < params_.smallest_support || sheet.weight < params_.largest_remainder * weight_) return false;
-    const std::vector<const Sheet*> walls = walls_around(sheet, sheets);
     for (const Sheet* a : walls)
       for (const Sheet* b : walls)
-        if (a->plane.normal.dot(b->plane.normal) < std::cos(CV_PI / 4)) return true;
-    return false;
+        if (a->plane.normal.dot(b->plane.normal) < std::cos(CV_PI / 4)) return walls;
+    return {};
   }
 
   /// The sides of a container see each other as it sees them; its bottom is the one that most stands on.
@@ -325,7 +311,9 @@ class FigureGround {
     const Sheet* bottom = nullptr;
     double most = 0;
     for (const Sheet& sheet : sheets) {
-      if (is_background(sheet) || !is_bottom(sheet, sheets)) continue;
+      if (is_background(sheet) || sheet.area < params_.smallest_support ||
+          sheet.weight < params_.largest_remainder * weight_ || walls_around(sheet, sheets).empty())
+        continue;
       const double standing = standing_on(sheet);
       if (standing <= std::max(most, params_.largest_remainder * sheet.pixels)) continue;
       bottom = &sheet;
