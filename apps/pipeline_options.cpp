@@ -3,7 +3,10 @@
 
 #include "pipeline_options.h"
 
+#include <algorithm>
 #include <iostream>
+
+#include "gestalt/core/config/sensor_params.h"
 
 namespace gestalt::app {
 
@@ -23,8 +26,32 @@ void add_pipeline_options(CLI::App& command, PipelineOptions& options, const std
       ->check(CLI::Range(0, 1024));
 }
 
+void add_shorthands(CLI::App& command, PipelineOptions& options) {
+  const auto add = [&](const std::string& name, const std::string& path, const std::string& text) {
+    return command.add_option_function<std::string>(
+        name, [&options, path](const std::string& value) { options.shorthands.push_back(path + "=" + value); },
+        text + "; short for --set " + path);
+  };
+  const std::vector<Parameter>& sensor = SensorParams::parameters().declarations();
+  const auto noise =
+      std::find_if(sensor.begin(), sensor.end(), [](const Parameter& parameter) { return parameter.name == "noise"; });
+  add("--sensor", "sensor.noise", "The sensor that made the frames")
+      ->check(CLI::IsMember(noise->choices))
+      ->type_name("NAME");
+  add("--max-depth", "decision.figure_ground.max_depth",
+      "What is farther away than so many metres is background; 0: nothing is")
+      ->check(CLI::Range(0.0, 1000.0))
+      ->type_name("M");
+  add("--min-object", "decision.figure_ground.min_object",
+      "What shows less than so many square centimetres is background")
+      ->check(CLI::Range(0.0, 1e6))
+      ->type_name("CM2");
+}
+
 LoadedConfig load_config(const PipelineOptions& options) {
-  return LoadedConfig(ConfigTree(options.config.empty() ? default_config() : options.config, options.overrides));
+  std::vector<std::string> overrides = options.shorthands;
+  overrides.insert(overrides.end(), options.overrides.begin(), options.overrides.end());
+  return LoadedConfig(ConfigTree(options.config.empty() ? default_config() : options.config, overrides));
 }
 
 Segmenter load_segmenter(LoadedConfig loaded) {

@@ -15,14 +15,18 @@ namespace gestalt::app {
 
 /// --config, --set and --threads, which several subcommands share.
 struct PipelineOptions {
-  std::filesystem::path config;        ///< empty: default_config()
-  std::vector<std::string> overrides;  ///< path=value
-  int threads = 0;                     ///< 0: as many as the machine has
+  std::filesystem::path config;         ///< empty: default_config()
+  std::vector<std::string> shorthands;  ///< path=value, from options of their own; overrides come after them
+  std::vector<std::string> overrides;   ///< path=value
+  int threads = 0;                      ///< 0: as many as the machine has
 };
 
 /// default_name: of the config that the command uses when no other is asked for, for its help.
 void add_pipeline_options(CLI::App& command, PipelineOptions& options,
                           const std::string& default_name = "default.yaml");
+
+/// --sensor, --max-depth and --min-object: what a user knows of his frames, in words of its own instead of --set.
+void add_shorthands(CLI::App& command, PipelineOptions& options);
 
 /// The config that the options ask for.
 LoadedConfig load_config(const PipelineOptions& options);

@@ -61,6 +61,7 @@ void add_segmenter_options(CLI::App& command, SegmenterOptions& options) {
       ->check(CLI::IsMember({"pcd", "ply", "coco"}))
       ->delimiter(',')
       ->type_name("KIND,...");
+  add_shorthands(command, options.pipeline);
   add_pipeline_options(command, options.pipeline);
 }
 

@@ -22,6 +22,7 @@ struct SegmenterOptions {
   PipelineOptions pipeline;
 };
 
+/// Also the shorthands --sensor, --max-depth and --min-object, of which --set overrides the value.
 void add_segmenter_options(CLI::App& command, SegmenterOptions& options);
 
 /// What was found in a scene.

@@ -18,6 +18,10 @@ const Parameters<FigureGroundParams>& FigureGroundParams::parameters() {
                 "tables that do not touch the ground have at least this area")
           .real("largest_remainder", &P::largest_remainder, 0, 1, "",
                 "a share of the frame's points below this is noise")
+          .real("max_depth", &P::max_depth, 0, 1000, "m", "what is farther away is background; 0: nothing is for that")
+          .real("min_object", &P::min_object, 0, 1e6, "cm^2", "what the camera sees less of is background")
+          .real("least_extent", &P::least_extent, 0, 1000, "sigma",
+                "what shows less than the square of this times sigma(z) is background, as noise shows as much")
           .boolean("separate", &P::separate, "an object's surface and the background's are never joined");
   return parameters;
 }

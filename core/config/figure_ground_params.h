@@ -14,6 +14,9 @@ struct FigureGroundParams {
   double relative_area = 0.25;  ///< of the ground's area; a smaller plane is no wall, and no table in contact with it
   double smallest_support = 0.05;   ///< m^2; a smaller plane is no table, even when nothing connects it to the ground
   double largest_remainder = 0.02;  ///< of the frame's points; fewer than this beyond a plane are noise
+  double max_depth = 0;             ///< m; what is farther away is background; 0: nothing is for that
+  double min_object = 2;            ///< cm^2 that the camera sees; what shows less is background
+  double least_extent = 8;          ///< sigma(z); what shows less than this squared is background
   bool separate = true;             ///< an object's surface and the background's are never joined
 
   GESTALT_EXPORT static const Parameters<FigureGroundParams>& parameters();

@@ -4,6 +4,7 @@
 
 #include <string>
 
+#include "gestalt/core/base/export.h"
 #include "gestalt/core/plugin/parameters.h"
 #include "gestalt/core/scene/depth_noise.h"
 
@@ -16,7 +17,7 @@ struct SensorParams {
   double linear = DepthNoise{}.linear;
   double quadratic = DepthNoise{}.quadratic;
 
-  static const Parameters<SensorParams>& parameters();
+  GESTALT_EXPORT static const Parameters<SensorParams>& parameters();
 
   DepthNoise depth_noise() const;
 };

@@ -5,6 +5,7 @@
 
 #include <gtest/gtest.h>
 
+#include <algorithm>
 #include <cmath>
 #include <opencv2/core.hpp>
 
@@ -86,8 +87,8 @@ struct View {
   }
 
   /// Expects the background to be these rectangles, as far as they are seen, and all else objects.
-  void expect_background(const std::vector<int>& rectangles) const {
-    const std::vector<Role> roles = find_roles(frame, surfaces, {});
+  void expect_background(const std::vector<int>& rectangles, const FigureGroundParams& params = {}) const {
+    const std::vector<Role> roles = find_roles(frame, surfaces, params);
     ASSERT_EQ(roles.size(), surfaces.surfaces.size());
     for (int i = 0; i < int(surface_of.size()); ++i) {
       if (surface_of[std::size_t(i)] < 0) continue;
@@ -172,6 +173,112 @@ TEST(FigureGround, AFrameFullOfOneBoxIsAnObject) {
   World world;
   world.add_box({-0.2, 0, -0.1}, {0.4, 0.3, 0.3});
   View(world).expect_background({});
+}
+
+TEST(FigureGround, OnlyWhatIsOnTheTableOfARoomIsAnObject) {
+  World world;
+  std::vector<int> background{world.add({-3, -3, -0.7}, {6, 0, 0}, {0, 5.5, 0}),  // floor
+                              world.add({-3, 2.5, -0.7}, {6, 0, 0}, {0, 0, 3}),   // wall
+                              add_table(world)};
+  world.add_box({-0.1, 0, 0}, {0.2, 0.15, 0.2});
+  const auto add_background = [&](const Vector3d& corner, const Vector3d& size) {
+    for (const int face : world.add_box(corner, size)) background.push_back(face);
+  };
+  add_background({-0.48, -0.38, -0.7}, {0.06, 0.06, 0.7});  // legs
+  add_background({0.42, -0.38, -0.7}, {0.06, 0.06, 0.7});
+  add_background({0.9, 1.2, -0.7}, {0.4, 0.4, 0.5});      // on the floor
+  add_background({-0.2, 1.7, -0.2}, {0.05, 0.05, 0.05});  // in the air beyond the table
+  View(world).expect_background(background);
+  View(world, CV_PI / 2).expect_background(background);
+}
+
+TEST(FigureGround, WallsOfABinAreBackground) {
+  World world;
+  const Vector3d x(0.6, 0, 0), y(0, 0.5, 0), z(0, 0, 0.15);
+  const std::vector<int> background{world.add({-2, -2, -0.6}, {4, 0, 0}, {0, 5, 0}),
+                                    world.add({-0.3, -0.2, 0}, x, y),  // bottom
+                                    world.add({-0.3, -0.2, 0}, x, z),
+                                    world.add({-0.3, 0.3, 0}, x, z),
+                                    world.add({-0.3, -0.2, 0}, y, z),
+                                    world.add({0.3, -0.2, 0}, y, z)};
+  world.add_box({-0.1, 0.05, 0}, {0.12, 0.08, 0.06});
+  world.add_box({0.1, 0.12, 0}, {0.08, 0.08, 0.1});
+  View(world).expect_background(background);
+}
+
+TEST(FigureGround, ABoxAsWideAsTheTableIsAnObject) {
+  World world;
+  const int table = add_table(world);
+  world.add_box({-0.48, 0.3, 0}, {0.96, 0.25, 0.25});
+  world.add_box({0.1, 0, 0}, {0.1, 0.1, 0.1});
+  View(world).expect_background({table});
+}
+
+TEST(FigureGround, ASmallDentOfATableIsBackgroundAndAMagazineIsAnObject) {
+  FigureGroundParams params;
+  params.tolerance = 1;  // 2.4 mm at 1.2 m
+  World world;
+  const int table = add_table(world);
+  const int dent = world.add({-0.2, 0, 0.004}, {0.03, 0, 0}, {0, 0.03, 0});
+  world.add({0.05, 0, 0.004}, {0.2, 0, 0}, {0, 0.28, 0});
+  View(world, 0, 640, 480).expect_background({table, dent}, params);
+}
+
+TEST(FigureGround, WhatIsBeyondMaxDepthIsBackground) {
+  World world;
+  const int table = add_table(world);
+  const std::vector<int> box = world.add_box({-0.2, 0, 0}, {0.15, 0.1, 0.2});
+  const std::vector<int> farther = world.add_box({0.1, 0.4, 0}, {0.15, 0.1, 0.2});
+  std::vector<int> background{table};
+  background.insert(background.end(), farther.begin(), farther.end());
+  FigureGroundParams params;
+  params.max_depth = 1.35;
+  View(world).expect_background(background, params);
+  params.max_depth = 0.1;
+  background.insert(background.end(), box.begin(), box.end());
+  View(world).expect_background(background, params);
+}
+
+TEST(FigureGround, WithoutAPlaneAllIsAnObject) {
+  World world;
+  add_table(world);
+  world.add_box({-0.2, 0, 0}, {0.4, 0.3, 0.3});
+  const View view(world);
+  SurfaceSet one;
+  one.labels = cv::Mat_<int>(view.frame.depth.size(), 0);
+  Surface all;
+  for (const Surface& surface : view.surfaces.surfaces)
+    all.pixels.insert(all.pixels.end(), surface.pixels.begin(), surface.pixels.end());
+  std::sort(all.pixels.begin(), all.pixels.end());
+  one.surfaces.push_back(all);
+  EXPECT_EQ(find_roles(view.frame, one, {}), std::vector<Role>{Role::object});
+}
+
+TEST(FigureGround, SizesAreAreasInUnitsOfTheLeastThatAnObjectShows) {
+  const int width = 64, height = 48;
+  const Camera camera = test::kinect(width, height);
+  Frame frame = make_frame("wall", {}, cv::Mat_<float>(height, width, 2.F), camera);
+  SurfaceSet surfaces;
+  for (const int count : {1, 100}) {
+    Surface surface;
+    for (int p = 0; p < count; ++p) surface.pixels.push_back(p);
+    surfaces.surfaces.push_back(surface);
+  }
+  const double pixel = 4 / (camera.fx * camera.fy);
+  FigureGroundParams params;
+  params.min_object = 3;
+  params.least_extent = 0;
+  std::vector<double> sizes = find_sizes(frame, surfaces, params);
+  ASSERT_EQ(sizes.size(), 2u);
+  EXPECT_NEAR(sizes[0], pixel / 3e-4, 1e-9);
+  EXPECT_NEAR(sizes[1], 100 * pixel / 3e-4, 1e-9);
+  params.least_extent = 10;
+  frame.noise = {0.01, 0, 0};
+  EXPECT_NEAR(find_sizes(frame, surfaces, params)[1], 100 * pixel / 0.01, 1e-9);
+  params.min_object = params.least_extent = 0;
+  EXPECT_TRUE(std::isfinite(find_sizes(frame, surfaces, params)[1]));
+  EXPECT_GE(find_sizes(frame, surfaces, params)[0], 1);
+  EXPECT_TRUE(find_sizes(frame, {}, params).empty());
 }
 
 TEST(FigureGround, TakesDegenerateSurfaces) {

@@ -73,20 +73,23 @@ ComponentName name_of_fitters(const std::vector<ComponentConfig>& fitters) {
 }
 
 /// Groups of surfaces as segments, largest first; equal sizes in order of their first surface.
-Segmentation assemble(const SurfaceSet& surfaces, const std::vector<Role>& roles, Graph graph,
-                      const std::vector<int>& groups) {
+Segmentation assemble(const Percept& percept, Graph graph, const std::vector<int>& groups) {
+  const SurfaceSet& surfaces = percept.surfaces();
   const int count = groups.empty() ? 0 : 1 + *std::max_element(groups.begin(), groups.end());
   std::vector<Segment> segments{std::size_t(count)};
   std::vector<int> background_pixels(segments.size(), 0);
+  std::vector<double> sizes(segments.size(), 0);
   for (std::size_t s = 0; s < groups.size(); ++s) {
     Segment& segment = segments[std::size_t(groups[s])];
     segment.surfaces.push_back(int(s));
     const int pixels = int(surfaces.surfaces[s].pixels.size());
     segment.pixel_count += pixels;
-    if (roles[s] == Role::background) background_pixels[std::size_t(groups[s])] += pixels;
+    if (percept.roles[s] == Role::background) background_pixels[std::size_t(groups[s])] += pixels;
+    sizes[std::size_t(groups[s])] += percept.sizes[s];
   }
   for (std::size_t i = 0; i < segments.size(); ++i)
-    segments[i].role = 2 * background_pixels[i] > segments[i].pixel_count ? Role::background : Role::object;
+    segments[i].role =
+        2 * background_pixels[i] > segments[i].pixel_count || sizes[i] < 1 ? Role::background : Role::object;
   std::stable_sort(segments.begin(), segments.end(),
                    [](const Segment& x, const Segment& y) { return x.pixel_count > y.pixel_count; });
   if (segments.size() > std::numeric_limits<std::uint16_t>::max())
@@ -207,6 +210,7 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
   {
     const Stopwatch watch(percept.times.decision);
     percept.roles = find_roles(frame, percept.surfaces(), figure_ground_);
+    percept.sizes = find_sizes(frame, percept.surfaces(), figure_ground_);
     frame.deadline.require("the separation of figure and ground");
   }
   percept.pixel_density = pixel_density(frame.camera);
@@ -283,7 +287,7 @@ Segmentation Pipeline::decide(const Percept& percept, const Models& models, Leve
     const Stopwatch watch(spent.decision);
     groups = cut(*solver_, config_.solver.plugin, graph, deadline);
   }
-  return assemble(percept.surfaces(), percept.roles, std::move(graph), groups);
+  return assemble(percept, std::move(graph), groups);
 }
 
 }  // namespace gestalt

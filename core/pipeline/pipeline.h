@@ -36,6 +36,7 @@ struct LevelTimes {
 struct Percept {
   std::shared_ptr<const Scene> scene;  ///< the frame, with the sensor's noise, and its patches and surfaces; never null
   std::vector<Role> roles;             ///< of each surface
+  std::vector<double> sizes;           ///< of each surface, by find_sizes(); a segment of less than 1 is background
   RelationTable structural;            ///< 3D neighbours
   RelationTable assembly;              ///< all other pairs; empty without the assembly level
   double pixel_density = 1;            ///< of the frame's camera: by what the levels' minimum sizes were multiplied

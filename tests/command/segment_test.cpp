@@ -173,6 +173,28 @@ TEST_F(Segment, TheResultTellsHowItWasMade) {
   EXPECT_FALSE(result.at("build").get<std::string>().empty());
 }
 
+TEST_F(Segment, OptionsSayWhatIsBackground) {
+  const auto objects = [&](const std::vector<std::string>& options) {
+    std::vector<std::string> arguments{synthetic_scene()};
+    arguments.insert(arguments.end(), options.begin(), options.end());
+    expect_success(segment(arguments));
+    return cv::countNonZero(image(out / "mixed_objects_1_000" / "objects.png"));
+  };
+  const auto value = [&](const char* section, const char* key) {
+    const json values = result_in(out / "mixed_objects_1_000").at("config").at("values");
+    return values.at(json::json_pointer(section)).at(key);
+  };
+  EXPECT_GT(objects({}), 0);
+  EXPECT_EQ(objects({"--max-depth", "0.2"}), 0);
+  EXPECT_EQ(value("/decision/figure_ground", "max_depth"), 0.2);
+  EXPECT_EQ(objects({"--min-object", "100000"}), 0);
+  EXPECT_GT(objects({"--min-object", "100000", "--set", "decision.figure_ground.min_object=1"}), 0);
+  objects({"--sensor", "realsense"});
+  EXPECT_EQ(value("/sensor", "noise"), "realsense");
+  expect_refused(segment({synthetic_scene(), "--max-depth", "-1"}), 2, {"--max-depth"});
+  expect_refused(segment({synthetic_scene(), "--sensor", "kinect_v9"}), 2, {"kinect_v9"});
+}
+
 TEST_F(Segment, TheTableIsOneSegment) {
   expect_success(segment({synthetic_scene()}));
   const cv::Mat_<std::uint16_t> labels = labels_in(out / "mixed_objects_1_000");
