@@ -89,8 +89,8 @@ class GESTALT_EXPORT Pipeline {
   std::vector<int> structural_groups(const Percept& percept, const Model& model) const;
 
   /// Classification of the pairs and the global decision. At the assembly level only pairs of different
-  /// structural_groups() count. models must be as expected_model() says, as load_models() ensures. The time spent is added to times.
-  /// Throws TimeError when it and that of perceive() exceed the time budget.
+  /// structural_groups() count. models must be as expected_model() says, as load_models() ensures. The time spent is
+  /// added to times. Throws TimeError when it and that of perceive() exceed the time budget.
   Segmentation decide(const Percept& percept, const Models& models, LevelTimes* times = nullptr) const;
 
  private:

@@ -18,9 +18,9 @@ class GESTALT_EXPORT Solver {
   /// broken by node number.
   virtual std::vector<int> solve(const Graph& graph) const = 0;
 
-  /// Which pairs of the assembly level are edges: false, those of different groups of the structural level alone, as the
-  /// paper has it (Section 6), for which the solver runs twice; true, all, for a solver to which an edge within such a
-  /// group tells that the group is wrong.
+  /// Which pairs of the assembly level are edges: false, those of different groups of the structural level alone, as
+  /// the paper has it (Section 6), for which the solver runs twice; true, all, for a solver to which an edge within
+  /// such a group tells that the group is wrong.
   virtual bool takes_all_pairs() const;
 };
 
