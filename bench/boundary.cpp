@@ -12,7 +12,6 @@
 #include "border_depth.h"
 #include "centre_curvature.h"
 #include "colour_histogram.h"
-#include "committee.h"
 #include "common_height.h"
 #include "common_surface.h"
 #include "configs.h"
@@ -21,16 +20,16 @@
 #include "gabor.h"
 #include "gap_occlusion.h"
 #include "gestalt/core/plugin/plugin.h"
-#include "group_linkage.h"
 #include "hull_view.h"
 #include "joint_extent.h"
 #include "mean_normals.h"
 #include "minimum_distance.h"
+#include "multicut.h"
 #include "normals.h"
 #include "options.h"
 #include "plane.h"
+#include "random_forest.h"
 #include "relative_size.h"
-#include "svm.h"
 #include "texture_quantity.h"
 #include "times.h"
 
@@ -66,9 +65,8 @@ Registry linked() {
   add<HullView>(registry, "hull_view");
   add<CentreCurvature>(registry, "centre_curvature");
   add<CommonSurface>(registry, "common_surface");
-  add<Committee>(registry, "committee");
-  add<Svm>(registry, "svm");
-  add<GroupLinkage>(registry, "group_linkage");
+  add<RandomForest>(registry, "random_forest");
+  add<Multicut>(registry, "multicut");
   return registry;
 }
 

@@ -284,6 +284,7 @@ test("the slider cuts the graph again, as the solver does", () =>
       "--output",
       out,
       "--set",
+      "decision.solver=group_linkage",
       `decision.solver.params.probability=${sweep.values[index]}`,
     );
     gestalt("inspect", join(out, scene.name), "--output", join(folder, "recut.html"));

@@ -26,7 +26,8 @@ export const gestalt = (...words) =>
 /// Segments a scene and gives its page with the data in it.
 export const page_of = (name, scenes, options = []) => {
   const out = join(folder, `${name}_results`);
-  gestalt("segment", ...scenes, "--output", out, ...options);
+  // Its two parameters are two sliders with many different cuts.
+  gestalt("segment", ...scenes, "--output", out, ...options, "--set", "decision.solver=group_linkage");
   const results = scenes.map((scene) => join(out, scene.split("/").at(-1)));
   const file = join(folder, `${name}.html`);
   gestalt("inspect", ...results, "--output", file);

@@ -21,8 +21,8 @@ class Multicut final : public Solver {
   struct Params {
     double structural_probability = 0.4;  ///< at which an edge of this level has no weight
     double assembly_probability =
-        0.7;                     ///< the same; higher, as a wrong join of parts that do not touch is seldom undone
-    double assembly_weight = 1;  ///< factor of the weights of this level
+        0.7;                       ///< the same; higher, as a wrong join of parts that do not touch is seldom undone
+    double assembly_weight = 1.5;  ///< factor of the weights of this level
   };
   static const Parameters<Params>& parameters();
 

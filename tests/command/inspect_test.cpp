@@ -137,6 +137,7 @@ TEST_F(Inspect, TheSliderHasEveryRealParameterOfTheSolver) {
     }
     return names;
   };
+  EXPECT_EQ(sweeps("multicut"), (Texts{"structural_probability", "assembly_probability", "assembly_weight"}));
   EXPECT_EQ(sweeps("group_linkage"), (Texts{"k", "probability"}));
   EXPECT_EQ(sweeps("graph_cut"), (Texts{"k"}));
   EXPECT_EQ(sweeps("threshold"), (Texts{"probability"}));
@@ -188,7 +189,7 @@ TEST_F(Inspect, TakesAnotherConfigWhereItIsAskedTo) {
   expect_no_page(run({changed([](json& r) { r["config"]["values"]["signal"] = 3; })}), 2,
                  {"result.json: config:", "signal"});
   expect_no_page(run({changed([](json& r) { r["config"]["values"]["model"] = "/none.json"; })}), 2, {"/none.json"});
-  warned(run({result_of(0), "--set", "decision.solver.params.probability=1"}), "segments");
+  warned(run({result_of(0), "--set", "decision.solver.params.structural_probability=0.999"}), "segments");
 }
 
 TEST_F(Inspect, LoadsNoPluginsFromWhereAResultSays) {

@@ -107,12 +107,12 @@ TEST_F(Learning, TheObjectImageIsScoredAsItIsWritten) {
 }
 
 TEST_F(Learning, TheClassifierIsAConfigLine) {
-  const std::string forest = "structural.classifier=random_forest";
-  expect_success(run_gestalt({"train", synthetic_scenes(), "--output", model, "--set", forest}));
+  const std::string svm = "structural.classifier=svm";
+  expect_success(run_gestalt({"train", synthetic_scenes(), "--output", model, "--set", svm}));
   const std::string setting = "model=" + model.string();
-  expect_success(run_gestalt({"evaluate", synthetic_scenes(), "--set", forest, "--set", setting, "--json"}));
+  expect_success(run_gestalt({"evaluate", synthetic_scenes(), "--set", svm, "--set", setting, "--json"}));
   expect_refused(run_gestalt({"evaluate", synthetic_scenes(), "--set", setting}), 2,
-                 {model.string(), "random_forest", "committee"});
+                 {model.string(), "svm", "random_forest"});
 }
 
 TEST_F(Learning, AnAblatedRelationNeedsAModelOfItsOwn) {

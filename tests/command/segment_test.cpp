@@ -148,7 +148,7 @@ TEST_F(Segment, WarnsOfAModelTrainedWithOtherParameters) {
 }
 
 TEST_F(Segment, TheResultTellsHowItWasMade) {
-  expect_success(segment({synthetic_scene(), "--set", "decision.solver.params.k=0.4"}));
+  expect_success(segment({synthetic_scene(), "--set", "decision.solver.params.assembly_weight=0.9"}));
   const json result = json::parse(content(out / "mixed_objects_1_000" / "result.json"));
   const Camera camera = read_camera(synthetic_scenes() / "camera.yaml").camera;
   EXPECT_EQ(result.at("scene"), "mixed_objects_1_000");
@@ -165,9 +165,9 @@ TEST_F(Segment, TheResultTellsHowItWasMade) {
     sum += result.at("milliseconds").at(level).get<double>();
   }
   EXPECT_NEAR(result.at("milliseconds").at("total"), sum, 1e-6);
-  EXPECT_EQ(result.at("config").at("values").at("decision").at("solver").at("params").at("k"), 0.4);
+  EXPECT_EQ(result.at("config").at("values").at("decision").at("solver").at("params").at("assembly_weight"), 0.9);
   const json& provenance = result.at("config").at("provenance");
-  EXPECT_EQ(provenance.at("decision.solver.params.k"), "--set");
+  EXPECT_EQ(provenance.at("decision.solver.params.assembly_weight"), "--set");
   EXPECT_GT(occurrences("default.yaml:", provenance.at("decision.solver.plugin")), 0) << provenance.dump(1);
   EXPECT_FALSE(result.at("gestalt").get<std::string>().empty());
   EXPECT_FALSE(result.at("build").get<std::string>().empty());
@@ -191,8 +191,15 @@ TEST_F(Segment, OptionsSayWhatIsBackground) {
   EXPECT_GT(objects({"--min-object", "100000", "--set", "decision.figure_ground.min_object=1"}), 0);
   objects({"--sensor", "realsense"});
   EXPECT_EQ(value("/sensor", "noise"), "realsense");
-  expect_refused(segment({synthetic_scene(), "--max-depth", "-1"}), 2, {"--max-depth"});
-  expect_refused(segment({synthetic_scene(), "--sensor", "kinect_v9"}), 2, {"kinect_v9"});
+  for (const std::vector<std::string>& wrong :
+       {std::vector<std::string>{"--max-depth", "-1"}, std::vector<std::string>{"--sensor", "kinect_v9"}}) {
+    const Outcome outcome = segment({synthetic_scene(), wrong[0], wrong[1]});
+    EXPECT_EQ(outcome.code, 2);
+    EXPECT_EQ(occurrences(wrong[0] + ":", outcome.err), 1) << outcome.err;
+    EXPECT_EQ(occurrences(wrong[1] + " not in", outcome.err) + occurrences(wrong[1] + " not in range", outcome.err) > 0,
+              true)
+        << outcome.err;
+  }
 }
 
 TEST_F(Segment, TheTableIsOneSegment) {

@@ -1,8 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A model file, read for the default config (a committee of support vector machines and trees) and for one with a
-// random forest alone; what can be read must give a probability for any pair.
+// A model file, read for configs with each of the classifiers; what can be read must give a probability for any pair.
 
 #include "gestalt/core/pipeline/model.h"
 

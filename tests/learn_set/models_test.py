@@ -2,7 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """scripts/train_models makes the same models, to the byte, from run to run and for any number of threads: those in models/.
 
-    models_test.py GESTALT LEARN     (LEARN is the folder of the OSD learn scenes)
+    models_test.py GESTALT LEARN REAL     (the folders of the OSD learn scenes and of labelled scenes of other sensors)
 
 Exits with 77 where the scenes are missing.
 """
@@ -15,10 +15,11 @@ from pathlib import Path
 
 SKIPPED = 77
 ROOT = Path(__file__).resolve().parents[2]
-GESTALT, LEARN = (Path(a).resolve() for a in sys.argv[1:3])
-if not LEARN.is_dir():
-    print(f"skipped: there is no {LEARN}")
-    sys.exit(SKIPPED)
+GESTALT, LEARN, REAL = (Path(a).resolve() for a in sys.argv[1:4])
+for folder in (LEARN, REAL):
+    if not folder.is_dir():
+        print(f"skipped: there is no {folder}")
+        sys.exit(SKIPPED)
 
 
 def train(output, processors):
@@ -26,7 +27,7 @@ def train(output, processors):
     own = os.sched_getaffinity(0)
     os.sched_setaffinity(0, set(sorted(own)[:processors]))
     try:
-        subprocess.run([ROOT / "scripts" / "train_models", LEARN, output], check=True, stdout=subprocess.DEVNULL,
+        subprocess.run([ROOT / "scripts" / "train_models", LEARN, REAL, output], check=True, stdout=subprocess.DEVNULL,
                        env={**os.environ, "GESTALT": str(GESTALT)})
     finally:
         os.sched_setaffinity(0, own)
@@ -41,14 +42,14 @@ class Models(unittest.TestCase):
             cls.all_threads = train(all_of_them, len(os.sched_getaffinity(0)))
 
     def test_do_not_depend_on_the_run_or_its_threads(self):
-        self.assertEqual(sorted(self.one_thread), ["default.json", "paper.json", "realtime.json"])
+        self.assertEqual(sorted(self.one_thread), ["default.json", "paper.json", "realtime.json", "synthetic.json"])
         for name, model in self.one_thread.items():
             self.assertTrue(model == self.all_threads[name], f"{name} differs")
 
     def test_are_those_that_are_shipped(self):
         for name, model in self.one_thread.items():
             shipped = (ROOT / "models" / name).read_bytes()
-            remedy = f"models/{name} is not what this program learns on this processor: run scripts/train_models LEARN"
+            remedy = f"models/{name} is not what this program learns on this processor: run scripts/train_models LEARN REAL"
             self.assertTrue(model == shipped, remedy)
 
 

@@ -35,7 +35,7 @@ RIGHT = {
     "    fourier: on\n    coarse: {plugin: colour_histogram, params: {bins: 2}}\n    again: gabor\n"
     "    border_curvature: {values: [r_cu3]}\n    colour_histogram: {values: all, params: {bins: 3}}\n",
     "params of the plugin below": "schema_version: 1\nextends: default.yaml\n"
-    "assembly: {classifier: {params: {cost: 3}}}\n",
+    "assembly: {classifier: {params: {trees: 30}}}\n",
     "params of a listed plugin below": "schema_version: 1\nextends: default.yaml\n"
     "structural: {relations: [{name: colour_histogram, params: {bins: 2}}]}\n",
     "switches as truth values": "schema_version: 1\nextends: default.yaml\n"
