@@ -205,7 +205,7 @@ class SheetSearch {
   }
 
   /// The surfaces in the plane of a seed, no farther from it than its size: what lies in a plane by chance, elsewhere
-  /// in the room, is no part of a table. The plane is fitted anew once to all that are found.
+  /// in the room, is no part of a table. The plane is fitted once more to all that are found.
   Sheet grow(int seed) const {
     std::vector<int> members{seed};
     Sheet sheet;
