@@ -36,14 +36,7 @@ double Preview::share_inside(std::span<const Eigen::Vector3f> points) const {
 bool Preview::add(std::span<const Eigen::Vector3f> points, double smallest) {
   const cv::Mat_<float> depth = depth_.clone();
   const cv::Mat_<int> thing = thing_.clone();
-  const cv::Rect image({0, 0}, depth_.size());
-  for (const Eigen::Vector3f& point : points) {
-    const Eigen::Vector3f p = from_world_ * point;
-    const cv::Point pixel = pixel_of(p);
-    if (!image.contains(pixel) || p.z() >= depth_(pixel)) continue;
-    depth_(pixel) = p.z();
-    thing_(pixel) = things_;
-  }
+  draw(points, things_);
   std::vector<int> visible(std::size_t(things_ + 1), 0);
   for (const int seen : thing_)
     if (seen >= 0) ++visible[std::size_t(seen)];
@@ -56,14 +49,16 @@ bool Preview::add(std::span<const Eigen::Vector3f> points, double smallest) {
   return true;
 }
 
-void Preview::hide_behind(std::span<const Eigen::Vector3f> points) {
+void Preview::hide_behind(std::span<const Eigen::Vector3f> points) { draw(points, -1); }
+
+void Preview::draw(std::span<const Eigen::Vector3f> points, int thing) {
   const cv::Rect image({0, 0}, depth_.size());
   for (const Eigen::Vector3f& point : points) {
     const Eigen::Vector3f p = from_world_ * point;
     const cv::Point pixel = pixel_of(p);
     if (!image.contains(pixel) || p.z() >= depth_(pixel)) continue;
     depth_(pixel) = p.z();
-    thing_(pixel) = -1;
+    thing_(pixel) = thing;
   }
 }
 

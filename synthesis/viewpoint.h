@@ -36,6 +36,8 @@ class Preview {
   std::vector<double> visible_parts(int thing) const;
 
  private:
+  /// Where the points are nearer than what is drawn. thing: its number, or -1 for what is none.
+  void draw(std::span<const Eigen::Vector3f> points, int thing);
   cv::Point pixel_of(const Eigen::Vector3f& in_camera) const;
 
   Camera camera_;

@@ -160,14 +160,14 @@ TEST_F(SceneFolder, IsRefusedWhenDepthIsEmptyOrNoPng) {
   folder_.write("s/depth.png", "");
   expect_refusal({"depth.png: is empty"});
   folder_.write("s/depth.png", "II* a float TIFF");
-  expect_refusal({"depth.png: is no PNG", "convert"});
+  expect_refusal({"depth.png: is not a PNG", "convert"});
 }
 
 TEST_F(SceneFolder, IsRefusedWhereverAPngIsCut) {
   const std::string whole = png(depth_4x3());
   for (std::size_t size = 1; size < whole.size(); ++size) {
     folder_.write("s/depth.png", whole.substr(0, size));
-    expect_refusal({size < 8 ? "depth.png: is no PNG" : "depth.png: is truncated or damaged at byte"});
+    expect_refusal({size < 8 ? "depth.png: is not a PNG" : "depth.png: is truncated or damaged at byte"});
   }
 }
 

@@ -55,7 +55,7 @@ PngHeader check_png(const fs::path& file, std::string_view bytes) {
   constexpr std::string_view signature("\x89PNG\r\n\x1a\n", 8);
   if (!bytes.starts_with(signature))
     reject_png(file,
-               "is no PNG image; convert it to PNG (depth: 16-bit grey, in the unit of depth_scale in camera.yaml)");
+               "is not a PNG image; convert it to PNG (depth: 16-bit grey, in the unit of depth_scale in camera.yaml)");
   PngHeader header{};
   for (std::size_t at = signature.size();;) {
     const auto truncated = [&] {

@@ -177,7 +177,7 @@ class Agreement(unittest.TestCase):
         self.assertEqual(numbers(tables), numbers(reference))
 
     def compare_first_tables(self, command, expected):
-        """What is printed without --all is told by rule: F > 0.75, overlap F and boundary F of each row."""
+        """Without --all the rule decides what is printed: F > 0.75, overlap F and boundary F of each row."""
         for rule in ("majority", "none"):
             text = subprocess.run([*command, "--rule", rule], check=True, stdout=subprocess.PIPE, text=True).stdout
             self.assertIn(f"under the rule {rule}:", text)
