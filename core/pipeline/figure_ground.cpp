@@ -32,11 +32,15 @@ class FigureGround {
       pixels_ += clouds_[s].pixels;
     }
     touching_.resize(clouds_.size());
-    for (const Adjacency& adjacency : surfaces.adjacencies)
+    adjacent_.resize(clouds_.size());
+    for (const Adjacency& adjacency : surfaces.adjacencies) {
+      adjacent_[std::size_t(adjacency.a)].push_back(&adjacency);
+      adjacent_[std::size_t(adjacency.b)].push_back(&adjacency);
       if (!adjacency.border_3d.empty()) {
         touching_[std::size_t(adjacency.a)].push_back(adjacency.b);
         touching_[std::size_t(adjacency.b)].push_back(adjacency.a);
       }
+    }
   }
 
   std::vector<Role> roles() {
@@ -254,11 +258,10 @@ class FigureGround {
     });
     if (double(high) > 0.1 * double(cloud.points.size())) return false;
     std::size_t around = 0, flush = 0;
-    for (const Adjacency& adjacency : surfaces_.adjacencies) {
-      if (adjacency.a != int(s) && adjacency.b != int(s)) continue;
-      around += adjacency.border_2d.size();
-      if (stage.has(clouds_[std::size_t(adjacency.a == int(s) ? adjacency.b : adjacency.a)], frame_.noise))
-        flush += adjacency.border_3d.size();
+    for (const Adjacency* adjacency : adjacent_[s]) {
+      around += adjacency->border_2d.size();
+      if (stage.has(clouds_[std::size_t(adjacency->a == int(s) ? adjacency->b : adjacency->a)], frame_.noise))
+        flush += adjacency->border_3d.size();
     }
     return 2 * flush > around;
   }
@@ -326,7 +329,8 @@ class FigureGround {
   const SurfaceSet& surfaces_;
   const FigureGroundParams& params_;
   std::vector<Cloud> clouds_;
-  std::vector<std::vector<int>> touching_;
+  std::vector<std::vector<const Adjacency*>> adjacent_;
+  std::vector<std::vector<int>> touching_;  // those of them with a border in space
   std::vector<double> sizes_;
   std::vector<Role> roles_;
   std::vector<const Sheet*> supports_;

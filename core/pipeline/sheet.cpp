@@ -13,11 +13,11 @@ namespace {
 
 constexpr std::size_t samples_of_a_frame = 20000;
 constexpr std::size_t fewest_samples = 20, most_samples = 300;  // of a surface
-constexpr std::size_t largest_number_of_sheets = 64;
-constexpr double most = 0.8;        // of a surface's points: decides where it lies
-constexpr double main_parts = 0.9;  // of a sheet's pixels: the specks beside them that happen to lie in its plane
-                                    // are not to widen its hull
-constexpr double flatness = 0.01;   // of a plane's extent; errors of depth that are no noise bend planes by less
+constexpr std::size_t most_seeds = 64;  // of the largest area; bounds the work in a frame of many surfaces
+constexpr double most = 0.8;            // of a surface's points: decides where it lies
+constexpr double main_parts = 0.9;      // of a sheet's pixels: the specks beside them that happen to lie in its plane
+                                        // are not to widen its hull
+constexpr double flatness = 0.01;       // of a plane's extent; errors of depth that are no noise bend planes by less
 
 void add(Moments& moments, const Cloud& cloud) {
   const double each = cloud.pixels / double(cloud.points.size());
@@ -156,15 +156,16 @@ class SheetSearch {
     std::vector<std::pair<double, int>> seeds;
     for (std::size_t s = 0; s < clouds_.size(); ++s) {
       const Sheet sheet = plane_of({int(s)});
-      if (sheet.tolerance > 0 && sheet.has(clouds_[s], frame_.noise))
+      if (sheet.diameter > 0 && sheet.has(clouds_[s], frame_.noise))
         seeds.emplace_back(-area_on(sheet.plane, clouds_[s]), int(s));
     }
     std::sort(seeds.begin(), seeds.end());
     std::vector<bool> used(clouds_.size(), false);
     std::vector<Sheet> sheets;
+    std::size_t tried = 0;
     for (const auto& [area, seed] : seeds) {
       if (used[std::size_t(seed)]) continue;
-      if (sheets.size() == largest_number_of_sheets) break;
+      if (++tried > most_seeds) break;
       Sheet sheet = grow(seed);
       if (sheet.surfaces.empty()) continue;
       for (const int s : sheet.surfaces) used[std::size_t(s)] = true;

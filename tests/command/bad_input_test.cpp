@@ -133,7 +133,7 @@ TEST_F(BadInput, TruncatedImages) {
 
 TEST_F(BadInput, WhatOnlyHasTheNameOfAnImage) {
   std::ofstream(scene / "depth.png") << "not an image, however long the text may be";
-  refuse(scene, 3, {(scene / "depth.png").string(), "no PNG"});
+  refuse(scene, 3, {(scene / "depth.png").string(), "is not a PNG image"});
 }
 
 TEST_F(BadInput, ColourOfAnotherSize) {
@@ -155,7 +155,7 @@ TEST_F(BadInput, DepthOfFloatNumbers) {
   fs::remove(scene / "depth.png");
   cv::imwrite(scene / "depth.tiff", cv::Mat(small_height, small_width, CV_32FC1, cv::Scalar(1)));
   fs::rename(scene / "depth.tiff", scene / "depth.png");
-  refuse(scene, 3, {(scene / "depth.png").string(), "no PNG", "16-bit grey", "depth_scale"});
+  refuse(scene, 3, {(scene / "depth.png").string(), "is not a PNG image", "16-bit grey", "depth_scale"});
 }
 
 TEST_F(BadInput, NoValidDepth) {
