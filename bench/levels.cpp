@@ -24,7 +24,7 @@ class Levels {
         frame_(frame),
         percept_(segmenter_.pipeline().perceive(frame)),
         graph_(segmenter_.pipeline().decide(percept_, segmenter_.models()).graph) {
-    frame_.noise = segmenter_.pipeline().noise();
+    frame_.noise = percept_.frame().noise;
   }
 
   bool with_assembly() const { return config().with_assembly; }

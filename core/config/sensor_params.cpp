@@ -3,7 +3,10 @@
 
 #include "gestalt/core/config/sensor_params.h"
 
+#include <algorithm>
 #include <map>
+
+#include "gestalt/core/scene/noise_estimate.h"
 
 namespace gestalt {
 
@@ -26,22 +29,32 @@ const std::map<std::string, DepthNoise>& presets() {
   return presets;
 }
 
+/// Of the azure_kinect preset. Frames of six sensors have 0.7 to 2.7 of it, but the larger part of a noisy one's errors
+/// is alike over tens of pixels: planes follow it, and with more than the preset things that touch become one patch
+/// (docs/accuracy.md).
+constexpr double least_multiple = 0.7;
+
 }  // namespace
 
 const Parameters<SensorParams>& SensorParams::parameters() {
   using P = SensorParams;
   static const auto parameters =
       Parameters<P>()
-          .choice("noise", &P::noise, {"kinect_v1", "realsense", "azure_kinect", "custom"},
-                  "noise of the depth readings; custom: sigma(z) = constant + linear z + quadratic z^2")
+          .choice("noise", &P::noise, {"auto", "kinect_v1", "realsense", "azure_kinect", "custom"},
+                  "noise of the depth readings; auto: from the frame; custom: sigma(z) = constant + linear z + "
+                  "quadratic z^2")
           .real("constant", &P::constant, -1, 1, "m", "of custom noise")
           .real("linear", &P::linear, -1, 1, "", "of custom noise")
           .real("quadratic", &P::quadratic, -1, 1, "1/m", "of custom noise");
   return parameters;
 }
 
-DepthNoise SensorParams::depth_noise() const {
-  return noise == "custom" ? DepthNoise{constant, linear, quadratic} : presets().at(noise);
+DepthNoise SensorParams::depth_noise(const Frame& frame) const {
+  if (noise == "custom") return {constant, linear, quadratic};
+  if (noise != "auto") return presets().at(noise);
+  const DepthNoise& usual = presets().at("azure_kinect");
+  const double multiple = std::clamp(estimate_noise(frame, usual).value_or(1), least_multiple, 1.0);
+  return {multiple * usual.constant, multiple * usual.linear, multiple * usual.quadratic};
 }
 
 }  // namespace gestalt

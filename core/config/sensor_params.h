@@ -6,20 +6,22 @@
 
 #include "gestalt/core/base/export.h"
 #include "gestalt/core/plugin/parameters.h"
-#include "gestalt/core/scene/depth_noise.h"
+#include "gestalt/core/scene/frame.h"
 
 namespace gestalt {
 
 /// Section `sensor` of a config: which sensor made the frames.
 struct SensorParams {
-  std::string noise = "kinect_v1";  ///< a preset, or "custom": the three numbers below
+  std::string noise = "kinect_v1";  ///< auto: from the frame; a preset, or "custom": the three numbers below
   double constant = DepthNoise{}.constant;
   double linear = DepthNoise{}.linear;
   double quadratic = DepthNoise{}.quadratic;
 
   GESTALT_EXPORT static const Parameters<SensorParams>& parameters();
 
-  DepthNoise depth_noise() const;
+  /// Noise of a frame's depth. auto: that of azure_kinect, times what estimate_noise() finds, bounded by 0.7 and 1;
+  /// azure_kinect where it finds nothing.
+  DepthNoise depth_noise(const Frame& frame) const;
 };
 
 }  // namespace gestalt

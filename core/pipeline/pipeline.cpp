@@ -111,7 +111,7 @@ Pipeline::Pipeline(Config config, const Registry& registry)
     : config_(std::move(config)),
       clusterer_(registry.create<Clusterer>(config_.clusterer.plugin, config_.clusterer.params)),
       surface_modelling_(SurfaceModellingParams::parameters().read(config_.surface_modelling)),
-      noise_(SensorParams::parameters().read(config_.sensor).depth_noise()),
+      sensor_(SensorParams::parameters().read(config_.sensor)),
       solver_(registry.create<Solver>(config_.solver.plugin, config_.solver.params)),
       figure_ground_(FigureGroundParams::parameters().read(config_.figure_ground)) {
   for (const ComponentConfig& fitter : config_.fitters)
@@ -180,7 +180,7 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
             given.name + ": has no colour image, and relation '" + named.name +
             "' needs one; add rgb.png, or use a config without colour relations and a model trained for it");
   Frame frame = given;  // shares the images
-  frame.noise = noise_;
+  frame.noise = sensor_.depth_noise(frame);
   frame.deadline = Deadline::within(config_.time_budget, 0);
   const auto images = std::make_shared<Images>(frame);
   Aside observations([&] {

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gestalt/core/config/config.h"
+#include "gestalt/core/config/sensor_params.h"
 #include "gestalt/core/pipeline/figure_ground.h"
 #include "gestalt/core/pipeline/model.h"
 #include "gestalt/core/pipeline/relation_table.h"
@@ -68,7 +69,6 @@ class GESTALT_EXPORT Pipeline {
   const Config& config() const { return config_; }
 
   /// The sensor's, which perceive() takes frames to have.
-  const DepthNoise& noise() const { return noise_; }
 
   /// What a model of a level must be like. Throws ConfigError when the config does without the level.
   ExpectedModel expected_model(Level level) const;
@@ -107,7 +107,7 @@ class GESTALT_EXPORT Pipeline {
   using Known = std::vector<std::pair<ComponentConfig, NamedRelation>>;
   static Grouping make_grouping(const LevelConfig& config, const Registry& registry, Known& known);
 
-  DepthNoise noise_;
+  SensorParams sensor_;
   std::vector<NamedRelation> relations_;  // of all levels, each once
   Grouping structural_;
   std::optional<Grouping> assembly_;

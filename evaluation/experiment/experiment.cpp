@@ -12,6 +12,7 @@
 #include <set>
 
 #include "gestalt/core/base/error.h"
+#include "gestalt/core/base/file_bytes.h"
 #include "gestalt/core/base/for_all.h"
 #include "gestalt/core/base/hash.h"
 #include "gestalt/evaluation/score/feature_score.h"
@@ -19,7 +20,6 @@
 #include "result_file.h"
 #include "scene_set.h"
 #include "shared_features.h"
-#include "whole_file.h"
 
 namespace gestalt {
 
@@ -210,7 +210,7 @@ class Programs {
 
     std::string text = "gestalt " GESTALT_VERSION " " + build_fingerprint() + "\n";
     for (const fs::path& file : files) {
-      if (!hashes_.contains(file)) hashes_[file] = content_hash(whole_file(file));
+      if (!hashes_.contains(file)) hashes_[file] = content_hash(read_bytes(file, any_size));
       text += file.filename().string() + " " + hashes_[file] + "\n";
     }
     return text;

@@ -6,11 +6,11 @@
 #include <optional>
 
 #include "gestalt/core/base/error.h"
+#include "gestalt/core/base/file_bytes.h"
 #include "gestalt/core/base/for_all.h"
 #include "gestalt/core/base/hash.h"
 #include "gestalt/evaluation/score/scene_sets.h"
 #include "gestalt/io/scene/input.h"
-#include "whole_file.h"
 
 namespace gestalt {
 
@@ -29,7 +29,7 @@ std::string contents(const fs::path& scene) {
   std::string text;
   for (const fs::path& file : files) {
     std::error_code error;
-    text += " " + (fs::exists(file, error) ? content_hash(whole_file(file)) : "none");
+    text += " " + (fs::exists(file, error) ? content_hash(read_bytes(file, any_size)) : "none");
   }
   return text;
 }

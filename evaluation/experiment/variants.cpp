@@ -6,12 +6,12 @@
 #include <algorithm>
 
 #include "gestalt/core/base/error.h"
+#include "gestalt/core/base/file_bytes.h"
 #include "gestalt/core/base/suggest.h"
 #include "gestalt/core/pipeline/pipeline.h"
 #include "gestalt/core/pipeline/relation_table.h"
 #include "gestalt/core/plugin/relation.h"
 #include "gestalt/evaluation/experiment/ablation.h"
-#include "whole_file.h"
 
 namespace gestalt {
 
@@ -54,7 +54,7 @@ class VariantsFile {
   YAML::Node parse() const {
     std::string text;
     try {
-      text = whole_file(file_);
+      text = read_bytes(file_, largest_json);
     } catch (const InputError& error) {
       throw ConfigError(error.what());
     }

@@ -114,6 +114,10 @@ std::string absolute_path(const std::filesystem::path& path) {
   return path.empty() ? "" : std::filesystem::absolute(path).lexically_normal().string();
 }
 
+Json noise_json(const DepthNoise& noise) {
+  return {{"constant", noise.constant}, {"linear", noise.linear}, {"quadratic", noise.quadratic}};
+}
+
 }  // namespace
 
 Json result_json(const Input& input, const SegmentedFrame& found, const Json& config) {
@@ -127,6 +131,7 @@ Json result_json(const Input& input, const SegmentedFrame& found, const Json& co
           {"scene", input.frame.name},
           {"input", absolute_path(input.path)},
           {"camera", camera_json(input.frame.camera)},
+          {"depth_noise", noise_json(percept.frame().noise)},
           {"segments", segments_json(segmentation)},
           {"patches", std::move(patches)},
           {"pairs", pairs_json(percept, segmentation.graph)},
