@@ -35,12 +35,12 @@ std::vector<fs::path> files_of(const fs::path& scene) {
 
 }  // namespace
 
-std::string run_identity(const json& config, const fs::path& model, const fs::path& camera) {
+std::string run_identity(const json& config, const fs::path& model, const ReadingOptions& reading) {
   json values = config.at("values");
   values.erase("time_budget");
   return content_hash(std::string(GESTALT_VERSION) + '\n' + GESTALT_BUILD_FINGERPRINT + '\n' +
                       values.dump(-1, ' ', false, json::error_handler_t::replace) + '\n' + hash_of(model) + '\n' +
-                      hash_of(camera));
+                      hash_of(reading.camera) + '\n' + text_of(reading));
 }
 
 bool is_segmented(const fs::path& scene, const fs::path& folder, const std::string& identity,

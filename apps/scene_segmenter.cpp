@@ -49,8 +49,7 @@ void add_segmenter_options(CLI::App& command, SegmenterOptions& options) {
       ->check(not_empty)
       ->capture_default_str()
       ->type_name("DIR");
-  command.add_option("--camera", options.camera, "Intrinsics to use instead of the scene's camera.yaml")
-      ->type_name("FILE");
+  add_reading_options(command, options.reading);
   command.add_flag(
       "--debug-images", options.debug_images,
       "Write what each level found, too: normals.png, signal_patches.png, surfaces.png, lines.png, graph.png");
@@ -69,14 +68,14 @@ SceneSegmenter::SceneSegmenter(const SegmenterOptions& options)
     : output_(options.output),
       debug_images_(options.debug_images),
       also_(options.also.begin(), options.also.end()),
+      read_(read_options(options.reading)),
       segmenter_(load_segmenter(options.pipeline)),
       config_(segmenter_.config_json()) {
-  if (!options.camera.empty()) camera_ = read_camera(options.camera);
-  config_["identity"] = run_identity(config_, segmenter_.config().model, options.camera);
+  config_["identity"] = run_identity(config_, segmenter_.config().model, options.reading);
 }
 
 SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene) const {
-  const Input input = read_scene(scene, camera_);
+  const Input input = read_and_warn(scene, read_);
   std::optional<FrameWatch> watch(std::in_place, segmenter_.config().time_budget, scene.string());
   const SegmentedFrame found = segmenter_.segment(input.frame);
   watch.reset();

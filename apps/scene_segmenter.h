@@ -5,18 +5,18 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <set>
 
 #include "gestalt/core/pipeline/segmenter.h"
 #include "gestalt/io/scene/input.h"
 #include "pipeline_options.h"
+#include "reading_options.h"
 
 namespace gestalt::app {
 
 struct SegmenterOptions {
   std::filesystem::path output = "out";
-  std::filesystem::path camera;  ///< empty: that of each scene
+  ReadingOptions reading;
   bool debug_images = false;
   std::vector<std::string> also;  ///< of what other programs read: pcd, ply, coco
   PipelineOptions pipeline;
@@ -53,9 +53,9 @@ class SceneSegmenter {
   std::filesystem::path output_;
   bool debug_images_;
   std::set<std::string> also_;
+  ReadOptions read_;
   Segmenter segmenter_;
   nlohmann::json config_;  ///< as results tell it
-  std::optional<CameraFile> camera_;
 };
 
 }  // namespace gestalt::app

@@ -11,6 +11,7 @@
 #include "command.h"
 #include "gestalt/apps/experiments.h"
 #include "gestalt/apps/pipeline_options.h"
+#include "gestalt/apps/reading_options.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/scene/input.h"
 
@@ -25,6 +26,7 @@ struct Options {
   std::vector<fs::path> test;
   int folds = 5;
   std::uint64_t seed = 0;
+  ReadingOptions reading;
   PipelineOptions pipeline;
   fs::path variants;
   std::vector<std::string> grid;
@@ -84,6 +86,7 @@ int ablate(const Options& options) {
   if (!options.test.empty()) protocol.test = find_scenes(options.test);
   protocol.folds = options.folds;
   protocol.seed = options.seed;
+  protocol.read = read_options(options.reading);
   require_apart(protocol);
 
   const LoadedConfig loaded = load_config(options.pipeline);
@@ -111,6 +114,7 @@ void add_ablate(CLI::App& app, Run& run) {
                    "Scenes with ground truth, or folders of them; FOLDER.csv beside a folder gives categories")
       ->required()
       ->type_name("SCENES");
+  add_reading_options(*command, options->reading);
   add_pipeline_options(*command, options->pipeline);
   command
       ->add_option("--variants", options->variants,

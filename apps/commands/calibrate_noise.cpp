@@ -6,11 +6,11 @@
 #include <iostream>
 #include <memory>
 #include <nlohmann/json.hpp>
-#include <optional>
 #include <sstream>
 #include <vector>
 
 #include "command.h"
+#include "gestalt/apps/reading_options.h"
 #include "gestalt/evaluation/calibration/noise_calibration.h"
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/scene_format.h"
@@ -21,7 +21,7 @@ namespace {
 
 struct Options {
   std::vector<std::filesystem::path> scenes;
-  std::filesystem::path camera;
+  ReadingOptions reading;
   bool json = false;
 };
 
@@ -65,11 +65,10 @@ void print_yaml(const NoiseEstimate& estimate, std::size_t scenes) {
 }
 
 int calibrate(const Options& options) {
-  std::optional<CameraFile> camera;
-  if (!options.camera.empty()) camera = read_camera(options.camera);
+  const ReadOptions read = read_options(options.reading);
   const std::vector<std::filesystem::path> scenes = find_scenes(options.scenes);
   NoiseCalibration calibration;
-  for (const std::filesystem::path& scene : scenes) calibration.add(read_scene(scene, camera).frame);
+  for (const std::filesystem::path& scene : scenes) calibration.add(read_and_warn(scene, read).frame);
   const NoiseEstimate estimate = calibration.estimate();
   if (options.json)
     std::cout << to_json(estimate, scenes.size()).dump(2) << '\n';
@@ -87,8 +86,7 @@ void add_calibrate_noise(CLI::App& app, Run& run) {
       ->add_option("SCENES", options->scenes,
                    "Scene folders, files (" + scene_extensions(", ") + "), or folders of those, of one sensor")
       ->required();
-  command->add_option("--camera", options->camera, "Intrinsics to use instead of the scene's camera.yaml")
-      ->type_name("FILE");
+  add_reading_options(*command, options->reading);
   command->add_flag("--json", options->json, "Print JSON");
   command->footer("Example: gestalt calibrate-noise scenes >> my_config.yaml");
   command->callback([options, &run] { run = [options] { return calibrate(*options); }; });

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "command.h"
+#include "gestalt/apps/reading_options.h"
 #include "gestalt/apps/scene_batch.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/output_file.h"
@@ -31,7 +32,7 @@ struct Options {
   std::string to = "scene";  ///< one of scene_formats()
   std::string labels;        ///< empty: parts
   fs::path output;
-  fs::path camera;
+  ReadingOptions reading;
 };
 
 /// A scene of any layout. It goes by the path that names it in messages.
@@ -41,37 +42,37 @@ struct SourceScene {
   std::function<ConvertedScene()> read;
 };
 
-std::vector<SourceScene> osd_scenes(const Options& options, const std::optional<CameraFile>& camera) {
+std::vector<SourceScene> osd_scenes(const Options& options, const ReadOptions& read) {
   std::vector<SourceScene> scenes;
   for (const std::string& name : find_osd_scenes(options.input))
     scenes.push_back({options.input / "disparity" / (name + ".png"), name,
-                      [=, release = options.input] { return read_osd_scene(release, name, camera); }});
+                      [=, release = options.input] { return read_osd_scene(release, name, read); }});
   return scenes;
 }
 
-std::vector<SourceScene> tum_scenes(const Options& options, const std::optional<CameraFile>& camera) {
+std::vector<SourceScene> tum_scenes(const Options& options, const ReadOptions& read) {
   std::vector<SourceScene> scenes;
   for (const TumFrame& frame : find_tum_frames(options.input))
-    scenes.push_back({frame.depth, frame.depth.stem().string(), [=] { return read_tum_frame(frame, camera); }});
+    scenes.push_back({frame.depth, frame.depth.stem().string(), [=] { return read_tum_frame(frame, read); }});
   return scenes;
 }
 
-std::vector<SourceScene> bop_scenes(const Options& options, const std::optional<CameraFile>& camera) {
+std::vector<SourceScene> bop_scenes(const Options& options, const ReadOptions& read) {
   std::vector<SourceScene> scenes;
   for (const BopImage& image : find_bop_images(options.input))
-    scenes.push_back({image.depth, bop_name(image), [=] { return read_bop_image(image, camera); }});
+    scenes.push_back({image.depth, bop_name(image), [=] { return read_bop_image(image, read); }});
   return scenes;
 }
 
-std::vector<SourceScene> ocid_scenes(const Options& options, const std::optional<CameraFile>& camera) {
+std::vector<SourceScene> ocid_scenes(const Options& options, const ReadOptions& read) {
   std::vector<SourceScene> scenes;
   for (const OcidFrame& frame : find_ocid_frames(options.input))
-    scenes.push_back({frame.depth, frame.name, [=] { return read_ocid_frame(frame, camera); }});
+    scenes.push_back({frame.depth, frame.name, [=] { return read_ocid_frame(frame, read); }});
   return scenes;
 }
 
 /// Scenes of one of scene_formats().
-std::vector<SourceScene> own_scenes(const Options& options, const std::optional<CameraFile>& camera) {
+std::vector<SourceScene> own_scenes(const Options& options, const ReadOptions& read) {
   std::vector<SourceScene> scenes;
   for (const fs::path& path : find_scenes({options.input})) {
     const std::string kind = scene_format_of(path)->name;
@@ -81,8 +82,8 @@ std::vector<SourceScene> own_scenes(const Options& options, const std::optional<
     const LabelKind labels = options.labels == "objects" ? LabelKind::objects : LabelKind::parts;
     const bool labelled = options.from == "pcd";
     scenes.push_back({path, scene_name(path), [=] {
-                        return labelled ? read_labelled_cloud(path, labels, camera)
-                                        : converted(read_scene(path, camera));
+                        return labelled ? read_labelled_cloud(path, labels, read)
+                                        : converted(read_and_warn(path, read));
                       }});
   }
   return scenes;
@@ -94,7 +95,7 @@ struct Layout {
   std::vector<std::string> holds;  ///< by which it is recognised
   std::string input;               ///< what the command takes, for its help
   std::string summary;
-  std::vector<SourceScene> (*scenes)(const Options& options, const std::optional<CameraFile>& camera);
+  std::vector<SourceScene> (*scenes)(const Options& options, const ReadOptions& read);
 };
 
 const std::vector<Layout> layouts{
@@ -118,9 +119,9 @@ std::string guess(const fs::path& input) {
 }
 
 std::vector<SourceScene> open(const Options& options) {
-  const auto camera = options.camera.empty() ? std::nullopt : std::optional(read_camera(options.camera));
+  const ReadOptions read = read_options(options.reading);
   const auto layout = std::ranges::find(layouts, options.from, &Layout::name);
-  return (layout == layouts.end() ? own_scenes : layout->scenes)(options, camera);
+  return (layout == layouts.end() ? own_scenes : layout->scenes)(options, read);
 }
 
 /// Where the scene is then.
@@ -207,11 +208,7 @@ void add_convert(CLI::App& app, Run& run) {
       ->check(not_empty)
       ->required()
       ->type_name("DIR");
-  command
-      ->add_option(
-          "--camera", options->camera,
-          "Intrinsics of the images; without it those of the layout, of the input's files, or of a camera.yaml")
-      ->type_name("FILE");
+  add_reading_options(*command, options->reading);
   command->footer(
       "Example: gestalt convert OSD-0.2-depth --output osd\n"
       "         gestalt reproduce osd --output report\n"

@@ -15,6 +15,7 @@
 
 #include "command.h"
 #include "gestalt/apps/pipeline_options.h"
+#include "gestalt/apps/reading_options.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/for_all.h"
 #include "gestalt/core/base/output_file.h"
@@ -37,6 +38,7 @@ constexpr const char* objects_image = "objects.png";
 
 struct Options {
   std::vector<fs::path> scenes;
+  ReadingOptions reading;
   PipelineOptions pipeline;
   int folds = 0;         ///< 0: no cross-validation
   std::string left_out;  ///< of left_out_names; empty: no such cross-validation
@@ -173,9 +175,10 @@ class Evaluation {
 int score_predictions(const Options& options) {
   if (!fs::is_directory(options.predictions))
     throw InputError(options.predictions.string() + ": is no folder; give the folder that holds the label images");
+  const ReadOptions read = read_options(options.reading);
   Evaluation evaluation(options);
   evaluation.for_each_scene([&](std::size_t i) {
-    const Labels ground_truth = read_ground_truth(evaluation.scenes[i]);
+    const Labels ground_truth = read_ground_truth(evaluation.scenes[i], read);
     evaluation.score(
         i, ground_truth,
         read_prediction(options.predictions, scene_name(evaluation.scenes[i]), options.image, ground_truth.size()));
@@ -189,17 +192,18 @@ std::string config_name(const Options& options) {
 
 int score_model(const Options& options) {
   const Segmenter segmenter = load_segmenter(options.pipeline);
+  const ReadOptions read = read_options(options.reading);
   Evaluation evaluation(options);
   evaluation.for_each_scene([&](std::size_t i) {
-    const Input input = read_scene(evaluation.scenes[i]);
+    const Input input = read_and_warn(evaluation.scenes[i], read);
     const Labels ground_truth = scored_ground_truth(input);
     evaluation.score(i, ground_truth, segmenter.segment(input.frame).segmentation);
   });
   return evaluation.report(config_name(options));
 }
 
-LearningScene learning_scene(const Pipeline& pipeline, const fs::path& scene) {
-  const Input input = read_scene(scene);
+LearningScene learning_scene(const Pipeline& pipeline, const fs::path& scene, const ReadOptions& read) {
+  const Input input = read_and_warn(scene, read);
   return make_learning_scene(pipeline, input.frame, scored_ground_truth(input));
 }
 
@@ -229,15 +233,17 @@ Folds deal(const Options& options, const std::vector<fs::path>& scenes) {
 int cross_validate(const Options& options) {
   const LoadedConfig loaded = load_config(options.pipeline);
   const Pipeline pipeline(loaded.config, loaded.registry);
+  const ReadOptions read = read_options(options.reading);
   Evaluation evaluation(options);
   const Folds folds = deal(options, evaluation.scenes);
   // As in training, a scene to learn from that cannot be used ends the run.
   const std::vector<fs::path> others = find_additional_scenes(options.additional, evaluation.scenes);
   std::vector<LearningScene> additional(others.size());
-  for_all(additional.size(), [&](std::size_t i) { additional[i] = learning_scene(pipeline, others[i]); });
+  for_all(additional.size(), [&](std::size_t i) { additional[i] = learning_scene(pipeline, others[i], read); });
 
   std::vector<LearningScene> perceived(evaluation.scenes.size());
-  evaluation.for_each_scene([&](std::size_t i) { perceived[i] = learning_scene(pipeline, evaluation.scenes[i]); });
+  evaluation.for_each_scene(
+      [&](std::size_t i) { perceived[i] = learning_scene(pipeline, evaluation.scenes[i], read); });
   std::vector<const LearningScene*> usable = pointers(perceived);
   for (std::size_t i = 0; i < usable.size(); ++i)
     if (evaluation.failed(i)) usable[i] = nullptr;
@@ -251,7 +257,7 @@ int cross_validate(const Options& options) {
   if (loaded.config.with_assembly) pairs[name_of(Level::assembly)] = decisions.assembly;
 
   evaluation.for_each_scene([&](std::size_t i) {
-    const Labels ground_truth = read_ground_truth(evaluation.scenes[i]);
+    const Labels ground_truth = read_ground_truth(evaluation.scenes[i], read);
     evaluation.score(i, ground_truth, pipeline.decide(perceived[i].percept, models_of(i)));
   });
   if (!options.output.empty()) write_files({{options.output / "reliability.svg", svg(reliability(pairs))}});
@@ -287,6 +293,7 @@ void add_evaluate(CLI::App& app, Run& run) {
   command.footer(
       "Examples: gestalt evaluate scenes --cross-validate 5\n"
       "          gestalt evaluate ours theirs --leave-one-out set");
+  add_reading_options(command, options->reading);
   add_pipeline_options(command, options->pipeline);
   CLI::Option* predictions =
       command

@@ -13,6 +13,7 @@
 #include <opencv2/core.hpp>
 
 #include "command.h"
+#include "gestalt/apps/reading_options.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
 #include "gestalt/core/pipeline/learning_set.h"
@@ -64,6 +65,9 @@ void add_scene(Description& description, const Input& input, const std::string& 
   description["valid_pixels"] = cv::countNonZero(measured);
   description["valid_share"] = rounded(double(cv::countNonZero(measured)) / double(frame.depth.total()));
   description["depth_range_m"] = {rounded(nearest), rounded(farthest)};
+  description["depth_unit"] = input.depth_unit;
+  if (!input.warnings.empty()) description["warnings"] = input.warnings;
+  if (!input.notes.empty()) description["notes"] = input.notes;
   if (!input.point_pixels.empty())
     description["points_outside_image"] = std::count(input.point_pixels.begin(), input.point_pixels.end(), -1);
   if (!input.ground_truth.empty()) description["labels"] = describe_labels(input.ground_truth);
@@ -71,18 +75,18 @@ void add_scene(Description& description, const Input& input, const std::string& 
   description["camera_from"] = camera_source;
 }
 
-std::string camera_source(const SceneFormat& format, const fs::path& scene, const std::optional<CameraFile>& camera) {
-  if (camera) return camera->file.string();
+std::string camera_source(const SceneFormat& format, const fs::path& scene, const ReadOptions& options) {
+  if (options.camera) return options.camera->file.string();
   if (format.camera == CameraPlace::scene) return "the file, or a camera.yaml";
   const auto found = find_camera_file(scene);
   return found ? found->string() : "fitted to the points";
 }
 
-Description describe_scene(const SceneFormat& format, const fs::path& scene, const std::optional<CameraFile>& camera) {
+Description describe_scene(const SceneFormat& format, const fs::path& scene, const ReadOptions& options) {
   Description description{{"kind", format.kind}};
-  if (format.facts) description.update(format.facts(scene, camera));
+  if (format.facts) description.update(format.facts(scene, options));
   if (!description.contains("camera_from"))
-    add_scene(description, read_scene(scene, camera), camera_source(format, scene, camera));
+    add_scene(description, read_and_warn(scene, options), camera_source(format, scene, options));
   return description;
 }
 
@@ -149,20 +153,20 @@ Description describe_yaml(const fs::path& file) {
   const CameraFile camera = read_camera(file);
   Description description{{"kind", "camera file"}};
   description.update(describe_camera(camera.camera));
-  description["depth_scale"] = camera.depth_scale;
+  if (camera.depth_scale) description["depth_scale"] = *camera.depth_scale;
   return description;
 }
 
-Description describe(const fs::path& path, const std::optional<CameraFile>& camera) {
+Description describe(const fs::path& path, const ReadOptions& options) {
   std::error_code error;
   const auto status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) fail(path, "does not exist");
   const SceneFormat* const format = scene_format_of(path);
   if (status.type() == fs::file_type::directory)
-    return format ? describe_scene(*format, path, camera) : describe_folder(path);
+    return format ? describe_scene(*format, path, options) : describe_folder(path);
   if (status.type() != fs::file_type::regular) fail(path, "is neither a file nor a folder");
   if (!std::ifstream(path)) fail(path, "cannot be read");
-  if (format) return describe_scene(*format, path, camera);
+  if (format) return describe_scene(*format, path, options);
   const std::string extension = lower_extension(path);
   if (extension == ".json") return describe_json(path);
   if (extension == ".yaml" || extension == ".yml") return describe_yaml(path);
@@ -187,7 +191,8 @@ void print(const Description& description, const std::string& indent) {
 
 void add_info(CLI::App& app, Run& run) {
   struct Options {
-    fs::path file, camera;
+    fs::path file;
+    ReadingOptions reading;
     bool json = false;
   };
   const auto options = std::make_shared<Options>();
@@ -196,14 +201,12 @@ void add_info(CLI::App& app, Run& run) {
       ->add_option("FILE", options->file,
                    "Scene folder, folder of scenes, " + scene_extensions(", ") + ", YAML or JSON file")
       ->required();
-  command->add_option("--camera", options->camera, "Camera file to read the scene with")->type_name("FILE");
+  add_reading_options(*command, options->reading);
   command->add_flag("--json", options->json, "Print JSON");
   command->footer("Example: gestalt info examples/demo_scene");
   command->callback([options, &run] {
     run = [options] {
-      std::optional<CameraFile> camera;
-      if (!options->camera.empty()) camera = read_camera(options->camera);
-      const Description description = describe(options->file, camera);
+      const Description description = describe(options->file, read_options(options->reading));
       if (options->json)
         std::cout << description.dump(2, ' ', false, Description::error_handler_t::replace) << '\n';
       else

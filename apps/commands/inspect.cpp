@@ -7,6 +7,7 @@
 
 #include "command.h"
 #include "gestalt/apps/pipeline_options.h"
+#include "gestalt/apps/reading_options.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/output_file.h"
 #include "gestalt/inspector/inspection/inspection.h"
@@ -23,8 +24,8 @@ using nlohmann::json;
 struct Options {
   std::vector<fs::path> results;
   fs::path output = "inspector.html";
-  fs::path scenes;  ///< empty: where the results say
-  fs::path camera;  ///< empty: that of each scene
+  fs::path scenes;         ///< empty: where the results say
+  ReadingOptions reading;  ///< as the scene was segmented with
   PipelineOptions pipeline;
 };
 
@@ -87,10 +88,8 @@ LoadedConfig load_config_of(const Result& result, const PipelineOptions& options
 }
 
 json inspect_result(const Result& result, const Options& options) {
-  std::optional<CameraFile> camera;
-  if (!options.camera.empty()) camera = read_camera(options.camera);
   const Segmenter segmenter = load_segmenter(load_config_of(result, options.pipeline));
-  const Input input = read_scene(scene_of(result, options), camera);
+  const Input input = read_and_warn(scene_of(result, options), read_options(options.reading));
   json scene = inspect_scene(result.content, input, segmenter);
   for (const json& note : scene.at("notes"))
     std::cerr << "gestalt: warning: " << result.file.string() << ": " << note.get<std::string>() << '\n';
@@ -121,8 +120,7 @@ void add_inspect(CLI::App& app, Run& run) {
       ->add_option("--scene", options->scenes,
                    "Where the scene is, or a folder of scenes, when it is no more where the result says")
       ->type_name("PATH");
-  command->add_option("--camera", options->camera, "Camera file, where the scene was segmented with one")
-      ->type_name("FILE");
+  add_reading_options(*command, options->reading);
   add_pipeline_options(*command, options->pipeline);
   command->get_option("--config")->description("Config file (default: the config in the result)");
   command->footer("Example: gestalt inspect out/demo_scene --output demo.html");

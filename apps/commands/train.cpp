@@ -6,6 +6,7 @@
 
 #include "command.h"
 #include "gestalt/apps/pipeline_options.h"
+#include "gestalt/apps/reading_options.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/for_all.h"
 #include "gestalt/core/base/output_file.h"
@@ -19,11 +20,12 @@ namespace {
 struct Options {
   std::vector<std::filesystem::path> scenes;
   std::filesystem::path output;
+  ReadingOptions reading;
   PipelineOptions pipeline;
 };
 
-LearningScene perceive(const Pipeline& pipeline, const std::filesystem::path& scene) {
-  const Input input = read_scene(scene);
+LearningScene perceive(const Pipeline& pipeline, const std::filesystem::path& scene, const ReadOptions& read) {
+  const Input input = read_and_warn(scene, read);
   if (input.ground_truth.empty())
     throw InputError(scene.string() +
                      ": has no ground truth; training needs a label.png, or a cloud with labels, for every scene");
@@ -43,12 +45,13 @@ void print_model(const Model& model, Level level) {
 int train(const Options& options) {
   const ThreadLimit limit(options.pipeline.threads);
   const std::vector<std::filesystem::path> scenes = find_scenes(options.scenes);
+  const ReadOptions read = read_options(options.reading);
   const LoadedConfig loaded = load_config(options.pipeline);
   const Pipeline pipeline(loaded.config, loaded.registry);
 
   // A scene that cannot be used ends the training: a model must not silently lack what it was asked to learn.
   std::vector<LearningScene> perceived(scenes.size());
-  for_all(scenes.size(), [&](std::size_t i) { perceived[i] = perceive(pipeline, scenes[i]); });
+  for_all(scenes.size(), [&](std::size_t i) { perceived[i] = perceive(pipeline, scenes[i], read); });
 
   std::vector<const LearningScene*> all;
   all.reserve(perceived.size());
@@ -72,6 +75,7 @@ void add_train(CLI::App& app, Run& run) {
       ->check(not_empty)
       ->required()
       ->type_name("MODEL");
+  add_reading_options(*command, options->reading);
   add_pipeline_options(*command, options->pipeline);
   command->footer(
       "Example: gestalt train scenes --output models/mine.json\n"

@@ -185,7 +185,7 @@ ExperimentResult run_variant(const Variant& variant, const Registry& registry, c
 SharedScenes perceive(const SharedFeatures& features, const SceneSet& set) {
   SharedScenes shared{set, std::vector<LearningScene>(set.scenes.size()), std::vector<Labels>(set.scenes.size())};
   for_all(set.scenes.size(), [&](std::size_t i) {
-    const Input input = read_scene(set.scenes[i].path);
+    const Input input = read_scene(set.scenes[i].path, set.read);
     shared.ground_truth[i] = scored_ground_truth(input);
     shared.perceived[i] = features.perceive(input.frame, shared.ground_truth[i]);
   });

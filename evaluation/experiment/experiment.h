@@ -14,6 +14,7 @@
 #include "gestalt/core/plugin/registry.h"
 #include "gestalt/evaluation/score/cross_validation.h"
 #include "gestalt/evaluation/score/evaluation.h"
+#include "gestalt/io/scene/input.h"
 
 namespace gestalt {
 
@@ -39,6 +40,7 @@ struct Protocol {
   int folds = 5;                             ///< of the cross-validation, >= 2
   std::uint64_t seed = 0;                    ///< see deal_folds()
   std::vector<FurtherSet> further;           ///< of different names
+  ReadOptions read;                          ///< of all scenes
 };
 
 /// Scores of one category of the scenes that were evaluated; overlap and boundary under the rule table

@@ -18,10 +18,10 @@ namespace {
 
 constexpr const char* label_image = "labels.png";
 
-std::vector<ImageScore> score(const Peer& peer, const std::vector<fs::path>& scenes) {
+std::vector<ImageScore> score(const Peer& peer, const std::vector<fs::path>& scenes, const ReadOptions& read) {
   std::vector<ImageScore> scores(scenes.size());
   for_all(scenes.size(), [&](std::size_t i) {
-    const cv::Mat_<std::uint16_t> truth = read_ground_truth(scenes[i]);
+    const cv::Mat_<std::uint16_t> truth = read_ground_truth(scenes[i], read);
     scores[i] = score_image(truth, read_prediction(peer.folder, scene_name(scenes[i]), label_image, truth.size()));
   });
   return scores;
@@ -34,13 +34,14 @@ PeerScores score_peer(const Peer& peer, const Protocol& protocol) {
   if (!fs::is_directory(peer.folder, error))
     throw InputError(peer.folder.string() + ": is not a folder; give the folder of the label images of " + peer.name);
   const std::vector<fs::path>& scenes = protocol.test.empty() ? protocol.learn : protocol.test;
-  PeerScores result{peer.name, category_scores(score(peer, scenes), scene_categories(scenes)), {}};
+  PeerScores result{peer.name, category_scores(score(peer, scenes, protocol.read), scene_categories(scenes)), {}};
   for (const FurtherSet& set : protocol.further) {
     const bool has_any = std::any_of(set.scenes.begin(), set.scenes.end(), [&](const fs::path& scene) {
       return has_prediction(peer.folder, scene_name(scene), label_image);
     });
     if (!has_any) continue;
-    CategoryScore row = category_scores(score(peer, set.scenes), std::vector<std::string>(set.scenes.size())).back();
+    CategoryScore row =
+        category_scores(score(peer, set.scenes, protocol.read), std::vector<std::string>(set.scenes.size())).back();
     row.category = set.name;
     result.further.push_back(std::move(row));
   }

@@ -34,9 +34,18 @@ std::string contents(const fs::path& scene) {
   return text;
 }
 
+/// Nothing where nothing is told, so that results of before are found again.
+std::string text_of(const ReadOptions& read) {
+  std::string text;
+  if (read.camera) text += "camera " + content_hash(read_bytes(read.camera->file, any_size)) + "\n";
+  if (read.depth_scale) text += "depth_scale " + std::to_string(*read.depth_scale * 1e9) + "\n";
+  if (read.depth_kind != DepthKind::plain) text += "depth_kind " + std::to_string(int(read.depth_kind)) + "\n";
+  return text;
+}
+
 }  // namespace
 
-SceneSet::SceneSet(const Protocol& protocol) {
+SceneSet::SceneSet(const Protocol& protocol) : read(protocol.read) {
   const auto append = [&](const std::vector<fs::path>& paths, bool learnt, bool scored) {
     const std::vector<std::string> categories = scene_categories(paths);
     for (std::size_t i = 0; i < paths.size(); ++i)
@@ -65,7 +74,7 @@ std::string canonical(const SceneSet& set) {
                scene.name + " [" + scene.category + "] model " + std::to_string(scene.model) + contents(scene.path) +
                "\n";
   });
-  std::string text = "folds " + std::to_string(set.folds) + "\n";
+  std::string text = "folds " + std::to_string(set.folds) + "\n" + text_of(set.read);
   for (const std::string& scene : texts) text += scene;
   return text;
 }

@@ -29,6 +29,7 @@ struct SceneSet {
   std::vector<SceneUse> scenes;
   std::vector<int> fold;  ///< of each scene; empty without cross-validation
   int folds = 0;          ///< 0 without cross-validation
+  ReadOptions read;       ///< of all scenes
 };
 
 /// The scenes' contents and uses as text: equal for equal experiments, wherever the files are. Throws InputError.

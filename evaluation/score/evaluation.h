@@ -125,7 +125,8 @@ GESTALT_EXPORT std::map<std::string, std::string> read_categories(const std::fil
 GESTALT_EXPORT cv::Mat_<std::uint16_t> scored_ground_truth(const Input& input);
 
 /// The same of a scene that need not be segmented: neither camera nor colour is looked for in a folder.
-GESTALT_EXPORT cv::Mat_<std::uint16_t> read_ground_truth(const std::filesystem::path& scene);
+GESTALT_EXPORT cv::Mat_<std::uint16_t> read_ground_truth(const std::filesystem::path& scene,
+                                                         const ReadOptions& options = {});
 
 /// Whether a folder has a label image of a scene, made by any program: `FOLDER/<scene>/<image>` or
 /// `FOLDER/<scene>.png`.

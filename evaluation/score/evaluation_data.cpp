@@ -56,8 +56,8 @@ std::map<std::string, std::string> read_categories(const std::filesystem::path& 
   return categories;
 }
 
-cv::Mat_<std::uint16_t> read_ground_truth(const std::filesystem::path& scene) {
-  if (!std::filesystem::is_directory(scene)) return scored_ground_truth(read_scene(scene));
+cv::Mat_<std::uint16_t> read_ground_truth(const std::filesystem::path& scene, const ReadOptions& options) {
+  if (!std::filesystem::is_directory(scene)) return scored_ground_truth(read_scene(scene, options));
   cv::Mat_<std::uint16_t> labels = read_label_image(scene / "label.png");
   const cv::Mat_<std::uint16_t> depth = read_label_image(scene / "depth.png");
   if (labels.size() != depth.size())

@@ -112,7 +112,7 @@ std::vector<BopImage> find_bop_images(const fs::path& folder) {
 
 std::string bop_name(const BopImage& image) { return scene_name(image.scene) + "_" + six_digits(image.number); }
 
-ConvertedScene read_bop_image(const BopImage& image, const std::optional<CameraFile>& camera) {
+ConvertedScene read_bop_image(const BopImage& image, const ReadOptions& options) {
   const std::string name = six_digits(image.number);
   const fs::path file = image.scene / cameras_file;
   const cv::Size size = read_depth_png(image.depth).size();
@@ -120,8 +120,8 @@ ConvertedScene read_bop_image(const BopImage& image, const std::optional<CameraF
   const json cameras = read_cameras(image.scene);
   const CameraFile own = camera_of(file, cameras.contains(key) ? cameras[key] : cameras.value(name, json()), key, size);
   ConvertedScene scene;
-  scene.camera = camera ? camera->camera : own.camera;
-  scene.depth_scale = own.depth_scale;
+  scene.camera = options.camera ? options.camera->camera : own.camera;
+  scene.depth_scale = scale_of(options, own.depth_scale.value());
   std::error_code error;
   fs::path colour;
   for (const char* folder : {"rgb", "gray"})

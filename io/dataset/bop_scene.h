@@ -27,7 +27,6 @@ GESTALT_EXPORT std::string bop_name(const BopImage& image);
 
 /// Camera and scale of depth from scene_camera.json; objects from mask_visib, where there are masks, everything else is
 /// background. Throws InputError naming the file and the place.
-GESTALT_EXPORT ConvertedScene read_bop_image(const BopImage& image,
-                                             const std::optional<CameraFile>& camera = std::nullopt);
+GESTALT_EXPORT ConvertedScene read_bop_image(const BopImage& image, const ReadOptions& options = {});
 
 }  // namespace gestalt

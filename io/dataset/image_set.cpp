@@ -41,6 +41,11 @@ SceneImages read_images(const fs::path& depth, const fs::path& colour, const Cam
   return images;
 }
 
+double scale_of(const ReadOptions& options, double of_layout) {
+  if (options.depth_scale) return *options.depth_scale;
+  return options.camera ? options.camera->depth_scale.value_or(of_layout) : of_layout;
+}
+
 cv::Mat_<std::uint16_t> read_labels(const fs::path& file, cv::Size size) {
   cv::Mat_<std::uint16_t> labels = read_label_png(file);
   check_size(file, labels.size(), size);

@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gestalt/core/scene/frame.h"
+#include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/scene_folder.h"
 
 namespace gestalt {
@@ -14,6 +15,9 @@ namespace gestalt {
 /// Depth, and colour where a file is named, of the camera's size.
 /// Throws InputError naming the file and the remedy.
 SceneImages read_images(const std::filesystem::path& depth, const std::filesystem::path& colour, const Camera& camera);
+
+/// Metres per unit of depth: what the options tell, by themselves or by their camera, else what the layout has.
+double scale_of(const ReadOptions& options, double of_layout);
 
 /// An image of labels of the same size as depth, as it is.
 cv::Mat_<std::uint16_t> read_labels(const std::filesystem::path& file, cv::Size size);

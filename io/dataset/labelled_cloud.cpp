@@ -11,8 +11,8 @@ namespace gestalt {
 
 namespace fs = std::filesystem;
 
-ConvertedScene read_labelled_cloud(const fs::path& file, LabelKind labels, const std::optional<CameraFile>& camera) {
-  const Input input = read_scene(file, camera);
+ConvertedScene read_labelled_cloud(const fs::path& file, LabelKind labels, const ReadOptions& options) {
+  const Input input = read_scene(file, options);
   if (input.ground_truth.empty())
     throw InputError(file.string() + ": has no field label; give clouds with ground truth, a label for each point");
   ConvertedScene scene = converted(input);

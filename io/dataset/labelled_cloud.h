@@ -19,6 +19,6 @@ enum class LabelKind {
 /// Reads a PCD file with labels as read_scene() does; its colour may be missing. Throws InputError, also for labels
 /// that name no object.
 GESTALT_EXPORT ConvertedScene read_labelled_cloud(const std::filesystem::path& file, LabelKind labels,
-                                                  const std::optional<CameraFile>& camera = std::nullopt);
+                                                  const ReadOptions& options = {});
 
 }  // namespace gestalt

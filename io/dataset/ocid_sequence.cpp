@@ -64,11 +64,12 @@ std::vector<OcidFrame> find_ocid_frames(const fs::path& release) {
   return frames;
 }
 
-ConvertedScene read_ocid_frame(const OcidFrame& frame, const std::optional<CameraFile>& camera) {
+ConvertedScene read_ocid_frame(const OcidFrame& frame, const ReadOptions& options) {
   const fs::path image = frame.depth.filename();
   ConvertedScene scene;
-  if (camera) {
-    scene.camera = camera->camera;
+  scene.depth_scale = scale_of(options, 0.001);
+  if (options.camera) {
+    scene.camera = options.camera->camera;
   } else {
     // The release has no intrinsics, but a cloud of every frame.
     const fs::path cloud = frame.sequence / "pcd" / (image.stem().string() + ".pcd");

@@ -23,8 +23,7 @@ struct OcidFrame {
 GESTALT_EXPORT std::vector<OcidFrame> find_ocid_frames(const std::filesystem::path& release);
 
 /// Depth is in millimetres. Labels 0 and 1 are background, as is 2 where "table" is in the path of the sequence; the
-/// others are objects. camera: else that of the points in pcd/. Throws InputError.
-GESTALT_EXPORT ConvertedScene read_ocid_frame(const OcidFrame& frame,
-                                              const std::optional<CameraFile>& camera = std::nullopt);
+/// others are objects. Without a camera in the options that of the points in pcd/. Throws InputError.
+GESTALT_EXPORT ConvertedScene read_ocid_frame(const OcidFrame& frame, const ReadOptions& options = {});
 
 }  // namespace gestalt

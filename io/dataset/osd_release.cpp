@@ -74,13 +74,13 @@ std::vector<std::string> find_osd_scenes(const fs::path& release) {
   return sorted;
 }
 
-ConvertedScene read_osd_scene(const fs::path& release, const std::string& name,
-                              const std::optional<CameraFile>& camera) {
+ConvertedScene read_osd_scene(const fs::path& release, const std::string& name, const ReadOptions& options) {
   const std::string image = name + ".png";
   const auto file = [&](const char* folder) { return present(release / folder / image); };
   const fs::path depth = file("disparity"), colour = file("image_color"), annotation = file("annotation");
   ConvertedScene scene;
-  scene.camera = camera ? camera->camera : osd_camera;
+  scene.depth_scale = scale_of(options, 0.001);
+  scene.camera = options.camera ? options.camera->camera : osd_camera;
   scene.images = read_images(depth, colour, scene.camera);
   scene.images.label = labels_from(annotation, read_labels(annotation, scene.images.depth.size()), scene.images.depth);
   scene.objects = count_objects(scene.images.label);

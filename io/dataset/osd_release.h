@@ -21,10 +21,9 @@ namespace gestalt {
 GESTALT_EXPORT std::vector<std::string> find_osd_scenes(const std::filesystem::path& release);
 
 /// Reads one scene of an OSD release. disparity/ holds depth along the optical axis in millimetres, despite its name.
-/// camera: else the database's (525 px, 640x480); its depth_scale is not used. Throws InputError naming the file and
-/// the remedy.
+/// Without a camera in the options the database's (525 px, 640x480). Throws InputError naming the file and the remedy.
 GESTALT_EXPORT ConvertedScene read_osd_scene(const std::filesystem::path& release, const std::string& name,
-                                             const std::optional<CameraFile>& camera = std::nullopt);
+                                             const ReadOptions& options = {});
 
 /// What the database's readme says of a scene's name, learnN or testN.
 struct OsdScene {

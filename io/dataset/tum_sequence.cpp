@@ -90,10 +90,10 @@ std::vector<TumFrame> find_tum_frames(const fs::path& sequence) {
   return sorted;
 }
 
-ConvertedScene read_tum_frame(const TumFrame& frame, const std::optional<CameraFile>& camera) {
+ConvertedScene read_tum_frame(const TumFrame& frame, const ReadOptions& options) {
   ConvertedScene scene;
-  scene.camera = camera ? camera->camera : tum_camera;
-  scene.depth_scale = tum_depth_scale;
+  scene.camera = options.camera ? options.camera->camera : tum_camera;
+  scene.depth_scale = scale_of(options, tum_depth_scale);
   scene.images = read_images(frame.depth, frame.colour, scene.camera);
   return scene;
 }

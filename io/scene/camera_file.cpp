@@ -118,8 +118,7 @@ CameraFile read_camera(const fs::path& file) {
                                "row of the principal point, which must lie in the image");
   CameraFile result;
   if (numbers.has("depth_scale"))
-    result.depth_scale =
-        numbers.read("depth_scale", 1e-6, 1.0, "metres per unit of depth.png, 0.001 for millimetres").value_or(0.001);
+    result.depth_scale = numbers.read("depth_scale", 1e-6, 1.0, "metres per unit of depth.png, 0.001 for millimetres");
   if (width && height && std::int64_t{*width} * *height > most_pixels)
     numbers.complain({}, "width x height is more than 2^26 pixels; such images cannot be read");
   numbers.check();

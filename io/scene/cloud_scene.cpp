@@ -9,6 +9,7 @@
 
 #include "camera_fit.h"
 #include "gestalt/core/base/error.h"
+#include "gestalt/io/scene/depth_reading.h"
 #include "gestalt/io/scene/labelled_files.h"
 #include "gestalt/io/scene/pcd_header.h"
 #include "point_cloud.h"
@@ -49,12 +50,12 @@ void check_fit(const CameraFile& found, const fs::path& file, const PointCloud& 
                      "--camera");
 }
 
-Input read_organized(const fs::path& file, const PointCloud& cloud, const Camera& camera) {
+Input read_organized(const fs::path& file, const PointCloud& cloud, const Camera& camera, const DepthUnit& unit) {
   CloudImages images(cloud, {cloud.width, cloud.height});
   for (std::size_t i = 0; i < cloud.points.size(); ++i) images.put(cloud, i, int(i));
   Input input;
   input.ground_truth = images.label;
-  input.frame = make_frame(file.string(), images.colour, images.depth, camera);
+  set_frame(input, file.string(), images.colour, {images.depth, unit, false, DepthKind::plain}, camera);
   return input;
 }
 
@@ -66,7 +67,8 @@ int pixel_of(const cv::Vec3f& p, const Camera& camera) {
   return int(v) * camera.width + int(u);
 }
 
-Input read_unorganized(const fs::path& file, const PointCloud& cloud, const std::optional<CameraFile>& given) {
+Input read_unorganized(const fs::path& file, const PointCloud& cloud, const std::optional<CameraFile>& given,
+                       const DepthUnit& unit) {
   if (!given)
     throw InputError(file.string() +
                      ": is an unorganized cloud (HEIGHT 1), whose points cannot be put into an image without the "
@@ -91,18 +93,24 @@ Input read_unorganized(const fs::path& file, const PointCloud& cloud, const std:
   CloudImages images(cloud, size_of(camera));
   for (const std::size_t i : order) images.put(cloud, i, input.point_pixels[i]);
   input.ground_truth = images.label;
-  input.frame = make_frame(file.string(), images.colour, images.depth, camera);
+  set_frame(input, file.string(), images.colour, {images.depth, unit, false, DepthKind::plain}, camera);
   return input;
 }
 
-Input read_cloud(const fs::path& file, const PointCloud& cloud, const std::optional<CameraFile>& given) {
+Input read_cloud(const fs::path& file, PointCloud cloud, const ReadOptions& options) {
+  if (options.depth_kind != DepthKind::plain)
+    throw InputError(file.string() + ": is a cloud, whose points have x, y and z; leave out --depth-kind");
+  const DepthUnit unit = unit_of_floats(options);
+  if (unit.metres != 1)
+    for (cv::Vec3f& point : cloud.points) point = cv::Vec3f(cv::Vec3d(point) * unit.metres);
   const cv::Size size(cloud.width, cloud.height);
-  const auto camera = choose_camera(file, given);
-  if (cloud.height == 1 && !(camera && size_of(camera->camera) == size)) return read_unorganized(file, cloud, camera);
-  if (!camera) return read_organized(file, cloud, fit_camera(file, cloud));
+  const auto camera = choose_camera(file, options.camera);
+  if (cloud.height == 1 && !(camera && size_of(camera->camera) == size))
+    return read_unorganized(file, cloud, camera, unit);
+  if (!camera) return read_organized(file, cloud, fit_camera(file, cloud), unit);
   check_size(*camera, size, file);
-  if (!given) check_fit(*camera, file, cloud);
-  return read_organized(file, cloud, camera->camera);
+  if (!options.camera) check_fit(*camera, file, cloud);
+  return read_organized(file, cloud, camera->camera, unit);
 }
 
 Frame frame_of(const ConvertedScene& scene) {
@@ -111,15 +119,15 @@ Frame frame_of(const ConvertedScene& scene) {
 
 }  // namespace
 
-Input read_pcd_scene(const fs::path& file, const std::optional<CameraFile>& camera) {
-  return read_cloud(file, read_pcd(file), camera);
+Input read_pcd_scene(const fs::path& file, const ReadOptions& options) {
+  return read_cloud(file, read_pcd(file), options);
 }
 
-Input read_ply_scene(const fs::path& file, const std::optional<CameraFile>& camera) {
-  return read_cloud(file, read_ply(file), camera);
+Input read_ply_scene(const fs::path& file, const ReadOptions& options) {
+  return read_cloud(file, read_ply(file), options);
 }
 
-Json pcd_facts(const fs::path& file, const std::optional<CameraFile>& camera) {
+Json pcd_facts(const fs::path& file, const ReadOptions& options) {
   const PcdHeader header = read_pcd_header(file);
   Json fields = Json::array();
   for (const PcdHeader::Field& field : header.fields)
@@ -129,7 +137,7 @@ Json pcd_facts(const fs::path& file, const std::optional<CameraFile>& camera) {
              {"points", header.points()},
              {"fields", fields},
              {"data", to_string(header.data)}};
-  if (header.height == 1 && !camera && !find_camera_file(file))
+  if (header.height == 1 && !options.camera && !find_camera_file(file))
     facts["camera_from"] = "none; give --camera, or camera.yaml beside the cloud or in a parent folder";
   return facts;
 }

@@ -12,11 +12,11 @@ namespace gestalt {
 
 // Scenes of clouds; how they become images is said at read_scene(). All throw InputError.
 
-Input read_pcd_scene(const std::filesystem::path& file, const std::optional<CameraFile>& camera);
-Input read_ply_scene(const std::filesystem::path& file, const std::optional<CameraFile>& camera);
+Input read_pcd_scene(const std::filesystem::path& file, const ReadOptions& options);
+Input read_ply_scene(const std::filesystem::path& file, const ReadOptions& options);
 
 /// What the header of a PCD file declares, as SceneFormat::facts.
-nlohmann::ordered_json pcd_facts(const std::filesystem::path& file, const std::optional<CameraFile>& camera);
+nlohmann::ordered_json pcd_facts(const std::filesystem::path& file, const ReadOptions& options);
 
 /// Binary, with colour and labels where the scene has them: .pcd (organized) and .ply (without pixels that have no
 /// depth).

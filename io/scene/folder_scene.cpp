@@ -4,6 +4,7 @@
 #include "folder_scene.h"
 
 #include "gestalt/core/base/error.h"
+#include "gestalt/io/scene/depth_reading.h"
 #include "png_file.h"
 #include "scene_camera.h"
 
@@ -30,14 +31,14 @@ bool is_scene_folder(const fs::path& folder) {
   return fs::exists(folder / "depth.png", error) || fs::exists(folder / "rgb.png", error);
 }
 
-Input read_scene_folder(const fs::path& folder, const std::optional<CameraFile>& given) {
+Input read_scene_folder(const fs::path& folder, const ReadOptions& options) {
   std::error_code error;
   const fs::path depth_file = folder / "depth.png", colour_file = folder / "rgb.png", label_file = folder / "label.png";
   if (!fs::exists(depth_file, error))
     throw InputError(depth_file.string() +
                      ": does not exist; a scene folder needs the depth image as 16-bit PNG under this name");
   const cv::Mat_<std::uint16_t> raw = read_depth_png(depth_file);
-  const auto camera = choose_camera(folder, given);
+  const auto camera = choose_camera(folder, options.camera);
   if (!camera)
     throw InputError(folder.string() + ": has no camera.yaml, nor has a parent folder; write one or give --camera");
   check_size(*camera, raw.size(), depth_file);
@@ -48,7 +49,7 @@ Input read_scene_folder(const fs::path& folder, const std::optional<CameraFile>&
   cv::Mat colour;
   if (fs::exists(colour_file, error)) colour = read_companion(colour_file, read_colour_png, raw.size());
   if (fs::exists(label_file, error)) input.ground_truth = read_companion(label_file, read_label_png, raw.size());
-  input.frame = make_frame(folder.string(), colour, depth_in_metres(raw, camera->depth_scale), camera->camera);
+  set_frame(input, folder.string(), colour, depth_reading(raw, options, *camera), camera->camera);
   return input;
 }
 

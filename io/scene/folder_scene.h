@@ -10,6 +10,6 @@ namespace gestalt {
 bool is_scene_folder(const std::filesystem::path& folder);
 
 /// Reads depth.png and, where they are, rgb.png and label.png. Throws InputError.
-Input read_scene_folder(const std::filesystem::path& folder, const std::optional<CameraFile>& camera);
+Input read_scene_folder(const std::filesystem::path& folder, const ReadOptions& options);
 
 }  // namespace gestalt

@@ -19,12 +19,12 @@ cv::Mat_<float> depth_in_metres(const cv::Mat_<std::uint16_t>& raw, double scale
   return depth;
 }
 
-Input read_scene(const fs::path& path, const std::optional<CameraFile>& camera) {
+Input read_scene(const fs::path& path, const ReadOptions& options) {
   const SceneFormat* format = scene_format_of(path);
   // What is no scene by its names is read as the commonest of its sort, whose reader says what is missing.
   std::error_code ignored;
   if (!format) format = find_scene_format(fs::is_directory(path, ignored) ? "scene" : "pcd");
-  Input input = format->read(path, camera);
+  Input input = format->read(path, options);
   input.path = path;
   input.frame.name = scene_name(path);  // messages until here name the path
   return input;

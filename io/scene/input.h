@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "gestalt/core/scene/frame.h"
@@ -19,14 +20,44 @@ struct CameraFile {
   CameraFile(const Camera& intrinsics) : camera(intrinsics) {}  // NOLINT(google-explicit-constructor)
 
   Camera camera;
-  double depth_scale = 0.001;  ///< metres per unit of depth.png, in [1e-6, 1]; clouds are in metres and do not use it
-  std::filesystem::path file;  ///< where it was read; empty when made in memory
+  std::optional<double> depth_scale;  ///< metres per unit of depth in whole numbers, in [1e-6, 1]; nothing: not told
+  std::filesystem::path file;         ///< where it was read; empty when made in memory
 };
 
 /// Reads width, height, fx, fy, cx, cy (pixels) and, where present, depth_scale from YAML; no other key is allowed.
 /// Or a camera_info of ROS without distortion.
 /// Throws InputError with all errors of the file together, each `file:line:column: message`, counted from 1.
 GESTALT_EXPORT CameraFile read_camera(const std::filesystem::path& file);
+
+/// What the numbers of a depth image or array say.
+enum class DepthKind {
+  plain,   ///< depth along the optical axis
+  radial,  ///< distance from the camera's centre
+  rotated  ///< depth of 16 bits, rotated left by three (SUN RGB-D)
+};
+
+/// What the numbers of ground truth say.
+enum class LabelScheme {
+  guess,    ///< what they can only be; refused where that is not certain and ground truth is needed
+  osd,      ///< object_of_label(): 0 ignored, 1 to 9 background, 20 to 29 the first object, ...
+  objects,  ///< 0 background, every other number an object
+  colours   ///< the commonest colour is background, every other an object
+};
+
+/// What is told of scenes beside what their files tell. It goes before all that a file says.
+struct ReadOptions {
+  ReadOptions() = default;
+  /// Implicit, so that a camera can be given where options can.
+  ReadOptions(std::optional<CameraFile> given) : camera(std::move(given)) {}  // NOLINT(google-explicit-constructor)
+  ReadOptions(const CameraFile& given) : camera(given) {}                     // NOLINT(google-explicit-constructor)
+  ReadOptions(const Camera& intrinsics) : camera(CameraFile(intrinsics)) {}   // NOLINT(google-explicit-constructor)
+
+  std::optional<CameraFile> camera;  ///< in place of the scene's own, its depth_scale included
+  std::optional<double>
+      depth_scale;  ///< metres per unit of every depth and cloud, whole numbers or not, in [1e-9, 1e4]
+  DepthKind depth_kind = DepthKind::plain;
+  LabelScheme labels = LabelScheme::guess;
+};
 
 /// Depth in metres, each the float that is nearest to raw * scale; scale as CameraFile::depth_scale.
 GESTALT_EXPORT cv::Mat_<float> depth_in_metres(const cv::Mat_<std::uint16_t>& raw, double scale);
@@ -44,6 +75,10 @@ struct Input {
   std::vector<int> point_pixels;         ///< unorganized clouds only: the pixel of each original point (also of those
                                          ///< hidden behind a nearer one), -1 = outside the image, behind the camera or
                                          ///< without a finite position
+  std::string depth_unit;                ///< of the file's numbers and who tells it: "0.001 m, the default"
+  std::vector<std::string> warnings;     ///< what is probably not as it was read; each names its file
+  std::vector<std::string> notes;        ///< what was taken for certain though no file tells it; without its file
+  std::string ground_truth_problem;      ///< why the labels that are there are not in ground_truth; empty: nothing
 };
 
 /// The name of a scene in results: the folder's name, or the cloud's without extension. It names an entry of a folder:
@@ -57,12 +92,11 @@ GESTALT_EXPORT std::string scene_name(const std::filesystem::path& scene);
 /// same name.
 GESTALT_EXPORT std::vector<std::filesystem::path> find_scenes(const std::vector<std::filesystem::path>& paths);
 
-/// Reads a scene of any of scene_formats() (docs/formats.md). camera, where given, is used in place of what would be
-/// found, depth_scale included; else find_camera_file(); an organized cloud without either gets intrinsics fitted to
-/// its points. A cloud is unorganized when its height is 1 and the camera does not have just its size: then each
-/// point goes to its nearest pixel, the nearest point of a pixel wins. Throws InputError, which names the file, the
-/// place and the remedy, for everything that cannot be used. Thread-safe; prints nothing.
-GESTALT_EXPORT Input read_scene(const std::filesystem::path& path,
-                                const std::optional<CameraFile>& camera = std::nullopt);
+/// Reads a scene of any of scene_formats() (docs/formats.md). The camera is that of the options, else that of
+/// find_camera_file(); an organized cloud without either gets intrinsics fitted to its points. A cloud is unorganized
+/// when its height is 1 and the camera does not have just its size: then each point goes to its nearest pixel, the
+/// nearest point of a pixel wins. Throws InputError, which names the file, the place and the remedy, for everything
+/// that cannot be used. Thread-safe; prints nothing.
+GESTALT_EXPORT Input read_scene(const std::filesystem::path& path, const ReadOptions& options = {});
 
 }  // namespace gestalt

@@ -8,6 +8,7 @@
 #include <cstring>
 
 #include "gestalt/core/base/error.h"
+#include "gestalt/io/scene/depth_reading.h"
 #include "most_pixels.h"
 #include "npz_file.h"
 
@@ -40,12 +41,18 @@ class NpzScene {
     size_ = cv::Size(int(depth->shape[1]), int(depth->shape[0]));
   }
 
-  cv::Mat_<float> depth() const {
+  DepthReading depth(const ReadOptions& options, const std::optional<CameraFile>& camera) const {
     const NpyArray& array = arrays_.at("depth");
     if (array.kind == 'b') fail("depth", "is of booleans; it must be of integers or floats");
-    const double scale = array.kind == 'f' ? 1 : depth_scale();
-    cv::Mat_<float> depth(size_);
-    for (std::size_t i = 0; i < array.count(); ++i) depth.ptr<float>()[i] = float(array.at(i) * scale);
+    const bool whole = array.kind != 'f';
+    DepthReading depth{cv::Mat_<float>(size_), whole ? whole_unit(options, camera) : unit_of_floats(options), whole,
+                       options.depth_kind};
+    const bool rotated = whole && depth.kind == DepthKind::rotated;
+    for (std::size_t i = 0; i < array.count(); ++i) {
+      double value = array.at(i);
+      if (rotated) value = rotated_right(value);
+      depth.metres.ptr<float>()[i] = float(value * depth.unit.metres);
+    }
     return depth;
   }
 
@@ -77,17 +84,18 @@ class NpzScene {
     return label;
   }
 
-  Camera camera(const std::optional<CameraFile>& given) const {
-    if (given) return given->camera;
+  /// K has no file and tells no depth_scale.
+  CameraFile camera(const ReadOptions& options) const {
+    if (options.camera) return *options.camera;
     const NpyArray* array = find("K");
     if (!array) {
       const auto found = find_camera_file(file_);
       if (!found)
         throw InputError(file_.string() + ": has no array 'K', nor is there a camera.yaml; write K, or give --camera");
-      return read_camera(*found).camera;
+      return read_camera(*found);
     }
     if (array->shape != Shape{3, 3}) fail("K", "must have the shape (3, 3), it has " + text(array->shape));
-    return {size_.width, size_.height, array->at(0), array->at(4), array->at(2), array->at(5)};
+    return Camera{size_.width, size_.height, array->at(0), array->at(4), array->at(2), array->at(5)};
   }
 
  private:
@@ -100,12 +108,21 @@ class NpzScene {
     return found == arrays_.end() ? nullptr : &found->second;
   }
 
-  double depth_scale() const {
+  /// A camera that is given goes before the array.
+  DepthUnit whole_unit(const ReadOptions& options, const std::optional<CameraFile>& camera) const {
     const NpyArray* array = find("depth_scale");
-    if (!array) return 0.001;
+    if (!array || options.depth_scale || (options.camera && options.camera->depth_scale))
+      return unit_of_whole_numbers(options, camera);
     const double scale = array->count() == 1 ? array->at(0) : 0;
     if (!(scale >= 1e-6 && scale <= 1)) fail("depth_scale", "must be one number from 1e-06 to 1, metres per unit");
-    return scale;
+    return {scale, "the array depth_scale", false};
+  }
+
+  double rotated_right(double value) const {
+    if (!(value >= 0 && value <= 65535))
+      fail("depth", "has numbers outside of 0 to 65535, whose bits cannot be rotated");
+    const auto bits = std::uint16_t(value);
+    return std::uint16_t(bits >> 3 | bits << 13);
   }
 
   std::size_t rows() const { return std::size_t(size_.height); }
@@ -123,11 +140,12 @@ NpyArray array_of(char kind, Shape shape, const T* values, std::size_t count) {
 
 }  // namespace
 
-Input read_npz_scene(const fs::path& file, const std::optional<CameraFile>& camera) {
+Input read_npz_scene(const fs::path& file, const ReadOptions& options) {
   const NpzScene scene(file);
   Input input;
   input.ground_truth = scene.label();
-  input.frame = make_frame(file.string(), scene.colour(), scene.depth(), scene.camera(camera));
+  const CameraFile camera = scene.camera(options);
+  set_frame(input, file.string(), scene.colour(), scene.depth(options, camera), camera.camera);
   return input;
 }
 

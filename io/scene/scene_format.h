@@ -34,12 +34,11 @@ struct SceneFormat {
   bool (*recognises)(const std::filesystem::path& folder) = nullptr;
 
   /// All but path and name of the Input. Throws InputError naming the file, the place and the remedy.
-  Input (*read)(const std::filesystem::path& scene, const std::optional<CameraFile>& camera) = nullptr;
+  Input (*read)(const std::filesystem::path& scene, const ReadOptions& options) = nullptr;
 
   /// What `gestalt info` tells before the scene is read, "kind" in place of the above; with "camera_from" when it
   /// cannot be read for want of a camera. Null: nothing.
-  nlohmann::ordered_json (*facts)(const std::filesystem::path& scene,
-                                  const std::optional<CameraFile>& camera) = nullptr;
+  nlohmann::ordered_json (*facts)(const std::filesystem::path& scene, const ReadOptions& options) = nullptr;
 
   /// The bytes of a file that read() reads; null: convert does not write such files.
   std::string (*encode)(const ConvertedScene& scene) = nullptr;

@@ -75,6 +75,7 @@ class Scene(NamedTuple):
     """(height, width) uint16: the ground truth."""
 
 
-def read_scene(path: Path, camera: Camera | None = None) -> Scene:
-    """Reads a scene folder or a cloud; camera replaces the scene's. Raises InputError."""
-    return Scene(*_gestalt.read_scene(path, camera))
+def read_scene(path: Path, camera: Camera | None = None, *, depth_scale: float | None = None) -> Scene:
+    """Reads a scene folder or a cloud; camera replaces the scene's, depth_scale (metres per unit) its unit. Warns of what
+    is probably not as it was read. Raises InputError."""
+    return Scene(*_gestalt.read_scene(path, camera, depth_scale=depth_scale))

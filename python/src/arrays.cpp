@@ -40,21 +40,19 @@ cv::Mat colour_image(const py::object& colour) {
   return image;
 }
 
-cv::Mat_<float> depth_image(const py::array& depth) {
+DepthReading depth_image(const py::array& depth, const ReadOptions& options) {
   const bool millimetres = py::isinstance<py::array_t<std::uint16_t>>(depth);
   if (depth.ndim() != 2 || (!millimetres && depth.dtype().kind() != 'f'))
     throw InputError("depth: expected uint16 (millimetres) or float (metres) of shape (height, width), got " +
                      description(depth));
   const int height = int(depth.shape(0)), width = int(depth.shape(1));
-  cv::Mat_<float> image;
   if (millimetres) {
     const py::array_t<std::uint16_t> rows = packed<std::uint16_t>(depth);
-    image = depth_in_metres(cv::Mat_<std::uint16_t>(height, width, const_cast<std::uint16_t*>(rows.data())), 0.001);
-  } else {
-    const py::array_t<float> rows = packed<float>(depth);
-    image = cv::Mat(height, width, CV_32FC1, const_cast<float*>(rows.data())).clone();
+    return depth_reading(cv::Mat_<std::uint16_t>(height, width, const_cast<std::uint16_t*>(rows.data())), options,
+                         options.camera);
   }
-  return image;
+  const py::array_t<float> rows = packed<float>(depth);
+  return float_reading(cv::Mat_<float>(height, width, const_cast<float*>(rows.data())), options);
 }
 
 py::array array_of(const cv::Mat& image) {

@@ -8,6 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/core.hpp>
 
+#include "gestalt/io/scene/depth_reading.h"
+
 namespace gestalt::python {
 
 namespace py = pybind11;
@@ -16,8 +18,9 @@ namespace py = pybind11;
 /// InputError for any other array.
 cv::Mat colour_image(const py::object& colour);
 
-/// Depth of numpy, (height, width): uint16 in millimetres, or float in metres. Throws InputError for any other array.
-cv::Mat_<float> depth_image(const py::array& depth);
+/// Depth of numpy, (height, width): uint16 in millimetres, or float in metres, unless the options tell the unit. Throws
+/// InputError for any other array.
+DepthReading depth_image(const py::array& depth, const ReadOptions& options = {});
 
 /// A view of an image's data, which it keeps alive: (height, width) or (height, width, channels), read-only.
 py::array array_of(const cv::Mat& image);

@@ -36,10 +36,10 @@ struct PerceivedScenes {
   }
 };
 
-PerceivedScenes perceive(const Pipeline& pipeline, const std::vector<fs::path>& scenes) {
+PerceivedScenes perceive(const Pipeline& pipeline, const std::vector<fs::path>& scenes, const ReadOptions& options) {
   PerceivedScenes perceived{std::vector<LearningScene>(scenes.size()), std::vector<Labels>(scenes.size())};
   for_all(scenes.size(), [&](std::size_t i) {
-    const Input input = read_scene(scenes[i]);
+    const Input input = read_scene(scenes[i], options);
     perceived.ground_truth[i] = scored_ground_truth(input);
     perceived.scenes[i] = make_learning_scene(pipeline, input.frame, input.ground_truth);
   });
@@ -55,12 +55,14 @@ nlohmann::json training_of(const Model& model) {
 }
 
 py::object train(const py::object& scenes, const fs::path& output, const py::object& config,
-                 const std::vector<std::string>& overrides, const py::object& components, int threads) {
+                 const std::vector<std::string>& overrides, const py::object& components, int threads,
+                 std::optional<double> depth_scale) {
   const std::vector<fs::path> given = paths(scenes);
+  const ReadOptions options = read_options(std::nullopt, depth_scale);
   const LoadedConfig loaded = load_config(config, overrides, registered(components));
   return object_of(Arena(threads).run([&] {
     const Pipeline pipeline(loaded.config, loaded.registry);
-    const Models models = learn(pipeline, perceive(pipeline, find_scenes(given)).pointers());
+    const Models models = learn(pipeline, perceive(pipeline, find_scenes(given), options).pointers());
     write_models(output, models);
     nlohmann::json trained{{name_of(Level::structural), training_of(models.structural)}};
     if (models.assembly) trained[name_of(Level::assembly)] = training_of(*models.assembly);
@@ -70,7 +72,9 @@ py::object train(const py::object& scenes, const fs::path& output, const py::obj
 
 py::object cross_validate(const py::object& scenes, int folds, std::uint64_t seed, const py::object& config,
                           const std::vector<std::string>& overrides, const std::optional<std::string>& left_out,
-                          const py::object& also_train, const py::object& components, int threads) {
+                          const py::object& also_train, const py::object& components, int threads,
+                          std::optional<double> depth_scale) {
+  const ReadOptions options = read_options(std::nullopt, depth_scale);
   const std::vector<fs::path> given = paths(scenes), others = paths(also_train);
   const LoadedConfig loaded = load_config(config, overrides, registered(components));
   return object_of(Arena(threads).run([&] {
@@ -85,8 +89,8 @@ py::object cross_validate(const py::object& scenes, int folds, std::uint64_t see
     } else {
       fold = deal_folds(scene_categories(all), folds, seed);
     }
-    const PerceivedScenes perceived = perceive(pipeline, all);
-    const PerceivedScenes additional = perceive(pipeline, find_additional_scenes(others, all));
+    const PerceivedScenes perceived = perceive(pipeline, all, options);
+    const PerceivedScenes additional = perceive(pipeline, find_additional_scenes(others, all), options);
     const std::vector<Models> models = learn_folds(pipeline, perceived.pointers(), fold, count, additional.pointers());
     std::vector<ImageScore> scores(all.size());
     for_all(all.size(), [&](std::size_t i) {
@@ -123,14 +127,15 @@ py::object score(const py::array& ground_truth, const py::array& labels) {
 void bind_learning(py::module_& module) {
   module.def("train", &train, py::arg("scenes"), py::arg("output"), py::arg("config") = py::none(),
              py::arg("overrides") = std::vector<std::string>{}, py::kw_only(), py::arg("components") = py::none(),
-             py::arg("threads") = 0, R"(Learns from scenes with ground truth and writes the model file output.
+             py::arg("threads") = 0, py::arg("depth_scale") = py::none(),
+             R"(Learns from scenes with ground truth and writes the model file output.
 
 scenes: folders of scenes, one or many. Returns of each level the classifier, the values, and how many pairs it saw.
 Use the model with overrides=["model=..."].)");
   module.def("cross_validate", &cross_validate, py::arg("scenes"), py::arg("folds") = 5, py::arg("seed") = 0,
              py::arg("config") = py::none(), py::arg("overrides") = std::vector<std::string>{}, py::kw_only(),
              py::arg("leave_one_out") = py::none(), py::arg("also_train") = py::tuple(),
-             py::arg("components") = py::none(), py::arg("threads") = 0,
+             py::arg("components") = py::none(), py::arg("threads") = 0, py::arg("depth_scale") = py::none(),
              R"(Trains on all folds of the scenes but one and scores that one, for each.
 
 leave_one_out: "category" or "set", each of which is then a fold; folds and seed do not count. also_train: scenes that

@@ -18,6 +18,7 @@
 #include "gestalt/evaluation/score/evaluation.h"
 #include "gestalt/evaluation/score/scene_sets.h"
 #include "gestalt/io/result/result.h"
+#include "gestalt/io/scene/depth_reading.h"
 #include "gestalt/io/scene/input.h"
 
 namespace gestalt::python {
@@ -25,6 +26,12 @@ namespace gestalt::python {
 namespace {
 
 namespace fs = std::filesystem;
+
+/// Each warning of the input as one of Python. Throws where Python makes it an exception.
+void warn(const Input& input) {
+  for (const std::string& warning : input.warnings)
+    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1)) throw py::error_already_set();
+}
 
 /// What results need of the segmenter that made them.
 struct Source {
@@ -38,6 +45,7 @@ class Result {
   Result(std::shared_ptr<const Source> source, Input input, SegmentedFrame found)
       : source_(std::move(source)), input_(std::move(input)), found_(std::move(found)) {}
 
+  const Input& input() const { return input_; }
   const std::string& name() const { return input_.frame.name; }
   py::array labels() const { return array_of(found_.segmentation.labels); }
   py::array objects_image() const { return array_of(object_labels(found_.segmentation)); }
@@ -122,29 +130,31 @@ class PySegmenter {
   }
 
   std::unique_ptr<Result> call(const py::object& colour, const py::array& depth, const Camera& camera,
-                               const std::string& name) const {
+                               const std::string& name, std::optional<double> depth_scale) const {
     cv::Mat colours = colour_image(colour);
-    cv::Mat_<float> depths = depth_image(depth);
-    return source_->arena.run([&] {
+    DepthReading depths = depth_image(depth, read_options(std::nullopt, depth_scale));
+    return warned(source_->arena.run([&] {
       Input input;
       input.path = name;
-      input.frame = make_frame(name, std::move(colours), std::move(depths), camera);
+      set_frame(input, name, colours, std::move(depths), camera);
       return segment(std::move(input));
-    });
+    }));
   }
 
-  std::unique_ptr<Result> read(const fs::path& scene, const std::optional<Camera>& camera) const {
-    return source_->arena.run(
-        [&] { return segment(read_scene(scene, camera ? std::optional<CameraFile>(*camera) : std::nullopt)); });
+  std::unique_ptr<Result> read(const fs::path& scene, const std::optional<Camera>& camera,
+                               std::optional<double> depth_scale) const {
+    const ReadOptions options = read_options(camera, depth_scale);
+    return warned(source_->arena.run([&] { return segment(read_scene(scene, options)); }));
   }
 
-  py::object evaluate(const py::object& scenes) const {
+  py::object evaluate(const py::object& scenes, std::optional<double> depth_scale) const {
     const std::vector<fs::path> given = paths(scenes);
+    const ReadOptions options = read_options(std::nullopt, depth_scale);
     return object_of(source_->arena.run([&] {
       const std::vector<fs::path> all = find_scenes(given);
       std::vector<ImageScore> scores(all.size());
       for_all(all.size(), [&](std::size_t i) {
-        const Input input = read_scene(all[i]);
+        const Input input = read_scene(all[i], options);
         const auto ground_truth = scored_ground_truth(input);
         scores[i] = score_image(ground_truth, segmenter_.segment(input.frame).segmentation.labels);
       });
@@ -155,6 +165,11 @@ class PySegmenter {
   py::object config() const { return object_of(source_->config.at("values")); }
 
  private:
+  static std::unique_ptr<Result> warned(std::unique_ptr<Result> result) {
+    warn(result->input());
+    return result;
+  }
+
   std::unique_ptr<Result> segment(Input input) const {
     SegmentedFrame found = segmenter_.segment(input.frame);
     return std::make_unique<Result>(source_, std::move(input), std::move(found));
@@ -164,17 +179,28 @@ class PySegmenter {
   Segmenter segmenter_;
 };
 
-py::tuple read(const fs::path& scene, const std::optional<Camera>& camera) {
+py::tuple read(const fs::path& scene, const std::optional<Camera>& camera, std::optional<double> depth_scale) {
+  const ReadOptions options = read_options(camera, depth_scale);
   const Input input = [&] {
     const py::gil_scoped_release released;
-    return read_scene(scene, camera ? std::optional<CameraFile>(*camera) : std::nullopt);
+    return read_scene(scene, options);
   }();
+  warn(input);
   const Frame& frame = input.frame;
   const py::object labels = input.ground_truth.empty() ? py::object(py::none()) : array_of(input.ground_truth);
   return py::make_tuple(frame.name, colour_array(frame.colour), array_of(frame.depth), frame.camera, labels);
 }
 
 }  // namespace
+
+ReadOptions read_options(const std::optional<Camera>& camera, std::optional<double> depth_scale) {
+  ReadOptions options;
+  if (camera) options.camera = CameraFile(*camera);
+  if (depth_scale && !(*depth_scale >= 1e-9 && *depth_scale <= 1e4))
+    throw InputError("depth_scale: must be from 1e-9 to 1e4 metres per unit");
+  options.depth_scale = depth_scale;
+  return options;
+}
 
 LoadedConfig load_config(const py::object& config, const std::vector<std::string>& overrides,
                          const py::dict& components) {
@@ -235,22 +261,27 @@ Raises ConfigError, PluginError, ModelError. Warns when the model was trained wi
            py::arg("config") = py::none(), py::arg("overrides") = std::vector<std::string>{}, py::kw_only(),
            py::arg("components") = py::none(), py::arg("threads") = 0)
       .def("__call__", &PySegmenter::call, py::arg("colour"), py::arg("depth"), py::arg("camera"),
-           py::arg("name") = "frame", R"(Segments a frame.
+           py::arg("name") = "frame", py::kw_only(), py::arg("depth_scale") = py::none(), R"(Segments a frame.
 
 colour: (height, width, 3) uint8, red green blue; or None, when no relation of the config needs it.
 depth: (height, width) uint16 in millimetres or float in metres; 0 or not finite where there is none.
+depth_scale: metres per unit of depth, where it is in another unit.
 
 The interpreter is released meanwhile. Raises InputError when the images and the camera do not fit each other,
 PluginError when a component fails.)")
-      .def("segment", &PySegmenter::read, py::arg("scene"), py::arg("camera") = py::none(),
-           "Segments a scene folder or a cloud, as `gestalt segment` does; camera replaces the scene's.")
-      .def("evaluate", &PySegmenter::evaluate, py::arg("scenes"),
+      .def(
+          "segment", &PySegmenter::read, py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
+          py::arg("depth_scale") = py::none(),
+          "Segments a scene folder or a cloud, as `gestalt segment` does; camera replaces the scene's, and depth_scale "
+          "(metres per unit) its unit.")
+      .def("evaluate", &PySegmenter::evaluate, py::arg("scenes"), py::kw_only(), py::arg("depth_scale") = py::none(),
            "Scores of scenes with ground truth by category (of several sets SET/CATEGORY), their \"mean\", and of "
            "\"all\", "
            "as `gestalt evaluate --json` prints them.")
       .def_property_readonly("config", &PySegmenter::config, "The resolved config as a dictionary.");
 
-  module.def("read_scene", &read, py::arg("scene"), py::arg("camera") = py::none());
+  module.def("read_scene", &read, py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
+             py::arg("depth_scale") = py::none());
 }
 
 }  // namespace gestalt::python

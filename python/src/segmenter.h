@@ -5,10 +5,12 @@
 #include <pybind11/pybind11.h>
 #include <tbb/task_arena.h>
 
+#include <optional>
 #include <string>
 #include <vector>
 
 #include "gestalt/core/pipeline/segmenter.h"
+#include "gestalt/io/scene/input.h"
 
 namespace gestalt::python {
 
@@ -41,6 +43,9 @@ void bind_segmenter(py::module_& module);
 
 /// The functions train, cross_validate and score.
 void bind_learning(py::module_& module);
+
+/// As gestalt.Segmenter takes them. Throws InputError for a scale that no unit has.
+ReadOptions read_options(const std::optional<Camera>& camera, std::optional<double> depth_scale);
 
 /// Texts of one or many.
 std::vector<std::filesystem::path> paths(const py::object& paths);

@@ -1,0 +1,81 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "reading_options.h"
+
+#include <iostream>
+#include <map>
+#include <mutex>
+#include <set>
+
+#include "gestalt/io/scene/depth_unit.h"
+
+namespace gestalt::app {
+
+namespace {
+
+const std::map<std::string, DepthKind> depth_kinds{
+    {"plain", DepthKind::plain}, {"radial", DepthKind::radial}, {"rotated", DepthKind::rotated}};
+
+std::vector<std::string> names_of_depth_kinds() {
+  std::vector<std::string> names;
+  for (const auto& [name, kind] : depth_kinds) names.push_back(name);
+  return names;
+}
+
+const CLI::Validator is_unit(
+    [](std::string& text) {
+      return metres_of_unit(text) ? std::string() : "'" + text + "' is no unit of length; write m, cm, mm, 0.1mm, ...";
+    },
+    "", "unit");
+
+}  // namespace
+
+void add_reading_options(CLI::App& command, ReadingOptions& options) {
+  command.add_option("--camera", options.camera, "Intrinsics to use instead of the scene's own")->type_name("FILE");
+  CLI::Option* unit = command
+                          .add_option_function<std::string>(
+                              "--unit", [&](const std::string& text) { options.depth_scale = metres_of_unit(text); },
+                              "Unit of the depth, or of a cloud's points: m, cm, mm, 0.1mm, ... (default: what the "
+                              "files tell; else mm for whole numbers, m for floats and clouds)")
+                          ->check(is_unit)
+                          ->type_name("UNIT");
+  command.add_option("--depth-scale", options.depth_scale, "The same as a number: metres per unit")
+      ->check(CLI::Range(1e-9, 1e4))
+      ->excludes(unit)
+      ->type_name("S");
+  command
+      .add_option_function<std::string>(
+          "--depth-kind", [&](const std::string& name) { options.depth_kind = depth_kinds.at(name); },
+          "What depth is: plain, along the optical axis (the default); radial, the distance from the camera; rotated, "
+          "16 bits rotated by three as in SUN RGB-D")
+      ->check(CLI::IsMember(names_of_depth_kinds()))
+      ->type_name("KIND");
+}
+
+ReadOptions read_options(const ReadingOptions& options) {
+  ReadOptions read;
+  if (!options.camera.empty()) read.camera = read_camera(options.camera);
+  read.depth_scale = options.depth_scale;
+  read.depth_kind = options.depth_kind;
+  return read;
+}
+
+std::string text_of(const ReadingOptions& options) {
+  return (options.depth_scale ? std::to_string(*options.depth_scale * 1e9) : "") + ' ' +
+         std::to_string(int(options.depth_kind));
+}
+
+Input read_and_warn(const std::filesystem::path& scene, const ReadOptions& options) {
+  Input input = read_scene(scene, options);
+  for (const std::string& warning : input.warnings) std::cerr << "gestalt: warning: " + warning + "\n";
+  // A set of scenes has the same of each: the first tells it.
+  static std::mutex in_use;
+  static std::set<std::string> told;
+  const std::lock_guard lock(in_use);
+  for (const std::string& note : input.notes)
+    if (told.insert(note).second) std::cerr << "gestalt: note: " + scene.string() + ": " + note + "\n";
+  return input;
+}
+
+}  // namespace gestalt::app

@@ -1,0 +1,33 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <CLI/CLI.hpp>
+#include <filesystem>
+#include <optional>
+#include <string>
+
+#include "gestalt/io/scene/input.h"
+
+namespace gestalt::app {
+
+/// What a user tells of his scenes: --camera, --unit or --depth-scale, --depth-kind. Every command that reads scenes
+/// has them.
+struct ReadingOptions {
+  std::filesystem::path camera;  ///< empty: that of each scene
+  std::optional<double> depth_scale;
+  DepthKind depth_kind = DepthKind::plain;
+};
+
+void add_reading_options(CLI::App& command, ReadingOptions& options);
+
+/// Reads the camera file. Throws InputError.
+ReadOptions read_options(const ReadingOptions& options);
+
+/// All but the camera: equal for equal options.
+std::string text_of(const ReadingOptions& options);
+
+/// read_scene(), its warnings, and those of its notes that no scene had before, printed on stderr.
+Input read_and_warn(const std::filesystem::path& scene, const ReadOptions& options);
+
+}  // namespace gestalt::app
