@@ -19,7 +19,7 @@ struct SensorParams {
 
   GESTALT_EXPORT static const Parameters<SensorParams>& parameters();
 
-  /// Noise of a frame's depth. auto: that of azure_kinect, times what estimate_noise() finds, bounded by 0.7 and 1;
+  /// Noise of a frame's depth. auto: that of azure_kinect, times what estimate_noise() finds, bounded by 0.6 and 1;
   /// azure_kinect where it finds nothing.
   DepthNoise depth_noise(const Frame& frame) const;
 };
