@@ -13,6 +13,10 @@
 namespace gestalt {
 
 std::string whole_file(const std::filesystem::path& file) {
+  std::error_code error;
+  const auto type = std::filesystem::status(file, error).type();
+  if (type == std::filesystem::file_type::fifo || type == std::filesystem::file_type::character)
+    throw InputError(file.string() + ": cannot be read: it has no end; copy it to a file");
   errno = 0;
   std::ifstream in(file, std::ios::binary);
   std::string bytes{std::istreambuf_iterator<char>(in), {}};
