@@ -22,7 +22,7 @@ const std::vector<std::string> debug_names{"normals.png", "signal_patches.png", 
 std::string labelled_name(const std::string& kind) { return kind == "coco" ? "coco.json" : "labelled." + kind; }
 
 /// Pictures of what the levels below the segments found, by file name.
-std::vector<OutputFile> debug_images(const std::filesystem::path& folder, const Percept& percept, const Graph& graph) {
+std::vector<OutputFile> debug_images(const OutputPath& folder, const Percept& percept, const Graph& graph) {
   const Frame& frame = percept.frame();
   return {{folder / "normals.png", encode_png(draw_normals(percept.patches().normals))},
           {folder / "signal_patches.png", encode_png(draw_patches(percept.patches().labels))},
@@ -32,7 +32,7 @@ std::vector<OutputFile> debug_images(const std::filesystem::path& folder, const 
 }
 
 /// Labels are those of labels.png; the instances of COCO are the objects.
-OutputFile labelled_file(const std::filesystem::path& folder, const std::string& kind, const Frame& frame,
+OutputFile labelled_file(const OutputPath& folder, const std::string& kind, const Frame& frame,
                          const Segmentation& segmentation) {
   if (kind == "pcd") return {folder / labelled_name(kind), encode_pcd(frame, segmentation.labels)};
   if (kind == "ply") return {folder / labelled_name(kind), encode_ply(frame, segmentation.labels)};
@@ -80,8 +80,7 @@ SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene) const
   std::optional<FrameWatch> watch(std::in_place, segmenter_.config().time_budget, scene.string());
   const SegmentedFrame found = segmenter_.segment(input.frame);
   watch.reset();
-  const std::filesystem::path folder = folder_of(scene);
-  refuse_link(folder);
+  const OutputPath folder = OutputPath(output_) / scene_name(scene);
   remove_abandoned(folder);
   const Segmentation& segmentation = found.segmentation;
   std::vector<OutputFile> more;
@@ -90,7 +89,7 @@ SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene) const
   write_result(folder, input, found, config_, std::move(more));
   const auto objects = std::count_if(segmentation.segments.begin(), segmentation.segments.end(),
                                      [](const Segment& segment) { return segment.role == Role::object; });
-  return {folder, std::size_t(objects), segmentation.segments.size(), found.percept.surfaces().surfaces.size(),
+  return {folder.path(), std::size_t(objects), segmentation.segments.size(), found.percept.surfaces().surfaces.size(),
           found.times.total()};
 }
 
