@@ -4,9 +4,12 @@
 #include "scene_segmenter.h"
 
 #include <algorithm>
+#include <array>
 
 #include "gestalt/apps/commands/command.h"
 #include "gestalt/apps/stream/frame_watch.h"
+#include "gestalt/core/base/digest.h"
+#include "gestalt/core/pipeline/run_identity.h"
 #include "gestalt/io/result/result.h"
 #include "gestalt/io/scene/labelled_files.h"
 #include "gestalt/io/scene/png_codec.h"
@@ -18,6 +21,8 @@ namespace {
 
 const std::vector<std::string> debug_names{"normals.png", "signal_patches.png", "surfaces.png", "lines.png",
                                            "graph.png"};
+
+constexpr std::array labelled_kinds{"pcd", "ply", "coco"};
 
 std::string labelled_name(const std::string& kind) { return kind == "coco" ? "coco.json" : "labelled." + kind; }
 
@@ -44,6 +49,13 @@ OutputFile labelled_file(const OutputPath& folder, const std::string& kind, cons
 
 }  // namespace
 
+std::set<std::string> result_names() {
+  std::set<std::string> names{"labels.png", "objects.png", "overlay.png", "patches.png", "labels.pcd", "result.json"};
+  names.insert(debug_names.begin(), debug_names.end());
+  for (const char* kind : labelled_kinds) names.insert(labelled_name(kind));
+  return names;
+}
+
 void add_segmenter_options(CLI::App& command, SegmenterOptions& options) {
   command.add_option("--output", options.output, "Folder for the results, one folder for each scene")
       ->check(not_empty)
@@ -58,7 +70,7 @@ void add_segmenter_options(CLI::App& command, SegmenterOptions& options) {
       .add_option("--also", options.also,
                   "Write files for other programs, too: pcd, labelled.pcd, an organized cloud with labels; ply, "
                   "labelled.ply; coco, coco.json, objects as instances with masks")
-      ->check(CLI::IsMember({"pcd", "ply", "coco"}))
+      ->check(CLI::IsMember(std::vector<std::string>(labelled_kinds.begin(), labelled_kinds.end())))
       ->delimiter(',')
       ->type_name("KIND,...");
   add_shorthands(command, options.pipeline);
@@ -72,10 +84,12 @@ SceneSegmenter::SceneSegmenter(const SegmenterOptions& options)
       segmenter_(load_segmenter(options.pipeline)),
       config_(segmenter_.config_json()) {
   if (!options.camera.empty()) camera_ = read_camera(options.camera);
-  config_["identity"] = run_identity(config_, segmenter_.config().model, options.camera);
+  run_ = run_identity(segmenter_.loaded()) + (camera_ ? file_digest(options.camera) : "");
 }
 
 SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene) const {
+  nlohmann::json config = config_;
+  config["identity"] = result_identity(run_, scene);  // of the files before they are read: one that changes now is seen
   const Input input = read_scene(scene, camera_);
   std::optional<FrameWatch> watch(std::in_place, segmenter_.config().time_budget, scene.string());
   const SegmentedFrame found = segmenter_.segment(input.frame);
@@ -86,7 +100,7 @@ SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene) const
   std::vector<OutputFile> more;
   if (debug_images_) more = debug_images(folder, found.percept, segmentation.graph);
   for (const std::string& kind : also_) more.push_back(labelled_file(folder, kind, input.frame, segmentation));
-  write_result(folder, input, found, config_, std::move(more));
+  write_result(folder, input, found, config, std::move(more));
   const auto objects = std::count_if(segmentation.segments.begin(), segmentation.segments.end(),
                                      [](const Segment& segment) { return segment.role == Role::object; });
   return {folder.path(), std::size_t(objects), segmentation.segments.size(), found.percept.surfaces().surfaces.size(),
@@ -101,7 +115,7 @@ bool SceneSegmenter::has_segmented(const std::filesystem::path& scene) const {
   std::vector<std::string> wanted;
   if (debug_images_) wanted = debug_names;
   for (const std::string& kind : also_) wanted.push_back(labelled_name(kind));
-  return is_segmented(scene, folder_of(scene), config_.at("identity"), wanted);
+  return is_segmented(folder_of(scene), result_identity(run_, scene), wanted);
 }
 
 }  // namespace gestalt::app
