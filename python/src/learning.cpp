@@ -56,7 +56,7 @@ nlohmann::json training_of(const Model& model) {
 
 py::object train(const py::object& scenes, const fs::path& output, const py::object& config,
                  const std::vector<std::string>& overrides, const py::object& components, int threads) {
-  const std::vector<fs::path> given = paths(scenes);
+  const std::vector<fs::path> given = some_paths(scenes);
   const LoadedConfig loaded = load_config(config, overrides, registered(components));
   return object_of(Arena(threads).run([&] {
     const Pipeline pipeline(loaded.config, loaded.registry);
@@ -71,7 +71,7 @@ py::object train(const py::object& scenes, const fs::path& output, const py::obj
 py::object cross_validate(const py::object& scenes, int folds, std::uint64_t seed, const py::object& config,
                           const std::vector<std::string>& overrides, const std::optional<std::string>& left_out,
                           const py::object& also_train, const py::object& components, int threads) {
-  const std::vector<fs::path> given = paths(scenes), others = paths(also_train);
+  const std::vector<fs::path> given = some_paths(scenes), others = paths(also_train);
   const LoadedConfig loaded = load_config(config, overrides, registered(components));
   return object_of(Arena(threads).run([&] {
     const Pipeline pipeline(loaded.config, loaded.registry);
@@ -98,6 +98,7 @@ py::object cross_validate(const py::object& scenes, int folds, std::uint64_t see
 }
 
 Labels label_image(const py::array& labels, const char* name) {
+  refuse_mask(labels, name);
   if (labels.ndim() != 2 || (labels.dtype().kind() != 'u' && labels.dtype().kind() != 'i'))
     throw InputError(std::string(name) + ": expected integers of shape (height, width)");
   const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> rows(labels);
