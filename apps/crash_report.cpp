@@ -3,9 +3,11 @@
 
 #include "crash_report.h"
 
+#include <tbb/task_scheduler_observer.h>
 #include <unistd.h>
 
 #include <array>
+#include <atomic>
 #include <csignal>
 #include <cstdlib>
 #include <cstring>
@@ -41,16 +43,41 @@ const char* name_of(int signal) {
 std::terminate_handler otherwise = nullptr;
 
 /// Only what a signal handler may call.
-void report(int signal) {
+void report_end(const char* how) {
   say("gestalt: error: ");
-  say(name_of(signal));
+  say(how);
   if (const char* component = running_component()) {
     say(" while ");
     say(component);
     say(" was at work; report this to its author, or leave it out of the config");
   }
   say("\n");
+}
+
+void report(int signal) {
+  report_end(name_of(signal));
   raise(signal);  // the handler is taken back when it is called, so that this ends the process as the fault would
+}
+
+/// For the fault of a stack that is full; each thread has its own.
+void use_spare_stack() {
+  thread_local std::array<char, 65536> stack;
+  const stack_t other{stack.data(), 0, stack.size()};
+  sigaltstack(&other, nullptr);
+}
+
+/// Gives one to the threads that do the loops' work.
+class WorkerStacks : public tbb::task_scheduler_observer {
+ public:
+  void on_scheduler_entry(bool) override { use_spare_stack(); }
+};
+
+std::atomic<bool> is_unfinished = false;
+
+void refuse_exit() {
+  if (!is_unfinished) return;
+  report_end("exit() was called");
+  _exit(run_failed);
 }
 
 /// Memory may end where no exception may leave, as in a destructor of a library.
@@ -70,9 +97,9 @@ void report(int signal) {
 
 void report_crashes() {
   otherwise = std::set_terminate(report_lack_of_memory);
-  static std::array<char, 65536> stack;  // for the fault of a stack that is full
-  const stack_t other{stack.data(), 0, stack.size()};
-  sigaltstack(&other, nullptr);
+  static WorkerStacks workers;
+  workers.observe(true);
+  use_spare_stack();
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
     struct sigaction known {};
     if (sigaction(signal, nullptr, &known) != 0 || known.sa_handler != SIG_DFL) continue;
@@ -82,5 +109,12 @@ void report_crashes() {
     sigaction(signal, &action, nullptr);
   }
 }
+
+Unfinished::Unfinished() {
+  static const bool registered = std::atexit(refuse_exit) == 0 && std::at_quick_exit(refuse_exit) == 0;
+  is_unfinished = registered;
+}
+
+Unfinished::~Unfinished() { is_unfinished = false; }
 
 }  // namespace gestalt::app

@@ -9,4 +9,15 @@ namespace gestalt::app {
 /// sanitizer's, stay.
 void report_crashes();
 
+/// While it lives, exit() and quick_exit() are a failure that is reported in the same way: a component that calls them
+/// would end the run with its results not written, and the exit code of its choice. What calls _exit() is not seen.
+/// One at a time.
+class Unfinished {
+ public:
+  Unfinished();
+  ~Unfinished();
+  Unfinished(const Unfinished&) = delete;
+  Unfinished& operator=(const Unfinished&) = delete;
+};
+
 }  // namespace gestalt::app

@@ -4,7 +4,9 @@
 #include <algorithm>
 #include <csignal>
 #include <exception>
+#include <filesystem>
 #include <iostream>
+#include <new>
 #include <string>
 #include <vector>
 
@@ -13,6 +15,7 @@
 #include "gestalt/apps/commands/command.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/suggest.h"
+#include "plain_text.h"
 
 namespace {
 
@@ -60,6 +63,10 @@ int run_command(int argc, char** argv) {
     return printed(app.exit(error) == 0 ? success : wrong_usage);
   }
   try {
+    std::error_code error;
+    if (std::filesystem::current_path(error).empty())
+      throw gestalt::ConfigError("the current folder is there no more; change to another one");
+    const Unfinished unfinished;
     return printed(run());
   } catch (const gestalt::ConfigError& error) {
     return report(error, wrong_usage);
@@ -74,6 +81,15 @@ int run_command(int argc, char** argv) {
 
 }  // namespace
 
-int main(int argc, char** argv) try { return run_command(argc, argv); } catch (const std::exception& error) {
-  return report(error, gestalt::app::run_failed);
+int main(int argc, char** argv) {
+  const gestalt::app::PlainTerminal terminal;
+  try {
+    return run_command(argc, argv);
+  } catch (const std::bad_alloc&) {
+    const gestalt::Error error(
+        "what was read takes more memory than this process may have; allow it more, or give it less");
+    return report(error, gestalt::app::run_failed);
+  } catch (const std::exception& error) {
+    return report(error, gestalt::app::run_failed);
+  }
 }

@@ -6,6 +6,7 @@
 #include <unistd.h>
 
 #include <iostream>
+#include <string_view>
 
 namespace gestalt::app {
 
@@ -21,7 +22,8 @@ void ProgressBar::show(std::size_t done, const std::string& what) const {
 }
 
 void ProgressBar::clear() const {
-  if (shown_) std::cerr << "\r\033[K" << std::flush;
+  constexpr std::string_view erase = "\r\033[K";  // not through a stream, which keeps such from the terminal
+  if (shown_ && ::write(STDERR_FILENO, erase.data(), erase.size()) < 0) return;
 }
 
 }  // namespace gestalt::app

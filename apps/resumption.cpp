@@ -4,14 +4,14 @@
 #include "resumption.h"
 
 #include <algorithm>
+#include <nlohmann/json.hpp>
 #include <set>
 
+#include "gestalt/core/base/digest.h"
 #include "gestalt/core/base/error.h"
-#include "gestalt/core/base/file_bytes.h"
-#include "gestalt/core/base/hash.h"
-#include "gestalt/core/plugin/fingerprint.h"
 #include "gestalt/io/result/result_file.h"
 #include "gestalt/io/scene/input.h"
+#include "scene_segmenter.h"
 
 namespace gestalt::app {
 
@@ -20,42 +20,57 @@ using nlohmann::json;
 
 namespace {
 
-/// Of a model's file; "" of no path.
-std::string hash_of(const fs::path& file) { return file.empty() ? "" : content_hash(read_bytes(file, largest_json)); }
+constexpr std::uintmax_t largest_image = std::uintmax_t{1} << 30;  // bytes
 
-/// The folder tells of files that were removed.
-std::vector<fs::path> files_of(const fs::path& scene) {
-  std::vector<fs::path> files;
-  if (const auto camera = find_camera_file(scene)) files.push_back(*camera);
-  if (fs::is_directory(scene))
-    for (const fs::directory_entry& entry : fs::directory_iterator(scene)) files.push_back(entry.path());
-  files.push_back(scene);
-  return files;
+/// What stands for a file's content; also of one that cannot be read, as results do not follow from it then.
+std::string content_of(const fs::path& file) {
+  try {
+    return file_digest(file);
+  } catch (const InputError&) {
+    return "unreadable";
+  }
+}
+
+/// Results may be written into the scene's own folder.
+bool is_of_scene(const fs::directory_entry& entry) {
+  std::error_code error;
+  static const std::set<std::string> of_results = result_names();
+  const std::string name = entry.path().filename().string();
+  return entry.is_regular_file(error) && entry.file_size(error) <= largest_image && !of_results.contains(name) &&
+         name.find(".tmp") == std::string::npos;
+}
+
+/// A line of text for each file of a scene, in order of their names.
+std::set<std::string> contents(const fs::path& scene) {
+  std::set<std::string> lines;
+  std::error_code error;
+  if (!fs::is_directory(scene, error)) return {content_of(scene)};
+  fs::directory_iterator entry(scene, error);
+  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
+    if (is_of_scene(*entry)) lines.insert(entry->path().filename().string() + ' ' + content_of(entry->path()));
+  return lines;
 }
 
 }  // namespace
 
-std::string run_identity(const json& config, const fs::path& model, const ReadingOptions& reading) {
-  json values = config.at("values");
-  values.erase("time_budget");
-  return content_hash(std::string(GESTALT_VERSION) + '\n' + GESTALT_BUILD_FINGERPRINT + '\n' +
-                      values.dump(-1, ' ', false, json::error_handler_t::replace) + '\n' + hash_of(model) + '\n' +
-                      hash_of(reading.camera) + '\n' + text_of(reading));
+std::string result_identity(const std::string& run, const fs::path& scene) {
+  std::error_code error;
+  std::string text = run + '\n' + fs::absolute(scene, error).lexically_normal().string();
+  for (const std::string& line : contents(scene)) text += '\n' + line;
+  if (const auto camera = find_camera_file(scene)) text += "\ncamera " + content_of(*camera);
+  return digest(text);
 }
 
-bool is_segmented(const fs::path& scene, const fs::path& folder, const std::string& identity,
-                  const std::vector<std::string>& wanted) {
-  if (!fs::is_regular_file(folder / "result.json")) return false;
-  const auto made = fs::last_write_time(folder / "result.json");
-  const std::vector<fs::path> sources = files_of(scene);
-  if (!std::all_of(sources.begin(), sources.end(), [&](const auto& file) { return fs::last_write_time(file) < made; }))
-    return false;
+bool is_segmented(const fs::path& folder, const std::string& identity, const std::vector<std::string>& wanted) {
+  const auto is_there = [&](const std::string& name) {
+    std::error_code error;
+    return fs::is_regular_file(folder / name, error);
+  };
+  if (!is_there("result.json")) return false;
   try {
     const json result = read_result_content(folder / "result.json");
     const auto files = result.at("files").get<std::set<std::string>>();
-    const auto is_there = [&](const std::string& name) { return fs::is_regular_file(folder / name); };
-    return result.value("input", "") == fs::absolute(scene).lexically_normal().string() &&
-           result.at("config").value("identity", "") == identity && std::all_of(files.begin(), files.end(), is_there) &&
+    return result.at("config").at("identity") == identity && std::all_of(files.begin(), files.end(), is_there) &&
            std::all_of(wanted.begin(), wanted.end(), [&](const std::string& name) { return files.contains(name); });
   } catch (const InputError&) {
     return false;

@@ -3,22 +3,19 @@
 #pragma once
 
 #include <filesystem>
-#include <nlohmann/json.hpp>
 #include <string>
 #include <vector>
 
-#include "reading_options.h"
-
 namespace gestalt::app {
 
-/// Names what the results of all scenes follow from: this build, the config's values but its time budget, the content
-/// of the model, and how scenes are to be read. Results keep it as `config.identity`.
-std::string run_identity(const nlohmann::json& config, const std::filesystem::path& model,
-                         const ReadingOptions& reading);
+/// Names what a scene's result follows from: what run names (run_identity(), and how all scenes are to be read), the
+/// path of the scene, the content of its files and of its camera file. Of a scene folder, all files count but those
+/// that results have and those larger than any image. Results keep it as `config.identity`.
+std::string result_identity(const std::string& run, const std::filesystem::path& scene);
 
-/// Whether the folder of a scene's results has a result.json of this run, newer than every file of the scene and its
-/// camera file, that names these files, and has all files that it names. An unreadable one is none.
-bool is_segmented(const std::filesystem::path& scene, const std::filesystem::path& folder, const std::string& identity,
+/// Whether a folder has a result.json of that identity that names these files, and has all files that it names. An
+/// unreadable one is none.
+bool is_segmented(const std::filesystem::path& folder, const std::string& identity,
                   const std::vector<std::string>& wanted);
 
 }  // namespace gestalt::app

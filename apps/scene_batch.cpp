@@ -8,6 +8,7 @@
 #include <tbb/task_arena.h>
 
 #include <iostream>
+#include <new>
 
 #include "gestalt/apps/commands/command.h"
 #include "gestalt/core/base/error.h"
@@ -51,6 +52,13 @@ int only(const std::filesystem::path& scene, const SceneWork& work) {
 }  // namespace
 
 std::string failure_message(const std::filesystem::path& scene, const std::exception& error) {
+  if (dynamic_cast<const std::bad_alloc*>(&error)) {
+    std::error_code ignored;
+    const auto bytes =
+        std::filesystem::is_regular_file(scene, ignored) ? std::filesystem::file_size(scene, ignored) : 0;
+    return scene.string() + ": " + (bytes > 0 ? "its " + std::to_string(bytes) + " bytes take" : "takes") +
+           " more memory than this process may have; allow it more, or do fewer scenes at once by --threads 1";
+  }
   return dynamic_cast<const Error*>(&error) ? error.what() : scene.string() + ": " + error.what();
 }
 

@@ -4,9 +4,12 @@
 #include "scene_segmenter.h"
 
 #include <algorithm>
+#include <array>
 
 #include "gestalt/apps/commands/command.h"
 #include "gestalt/apps/stream/frame_watch.h"
+#include "gestalt/core/base/digest.h"
+#include "gestalt/core/pipeline/run_identity.h"
 #include "gestalt/io/result/result.h"
 #include "gestalt/io/scene/labelled_files.h"
 #include "gestalt/io/scene/png_codec.h"
@@ -19,10 +22,12 @@ namespace {
 const std::vector<std::string> debug_names{"normals.png", "signal_patches.png", "surfaces.png", "lines.png",
                                            "graph.png"};
 
+constexpr std::array labelled_kinds{"pcd", "ply", "coco"};
+
 std::string labelled_name(const std::string& kind) { return kind == "coco" ? "coco.json" : "labelled." + kind; }
 
 /// Pictures of what the levels below the segments found, by file name.
-std::vector<OutputFile> debug_images(const std::filesystem::path& folder, const Percept& percept, const Graph& graph) {
+std::vector<OutputFile> debug_images(const OutputPath& folder, const Percept& percept, const Graph& graph) {
   const Frame& frame = percept.frame();
   return {{folder / "normals.png", encode_png(draw_normals(percept.patches().normals))},
           {folder / "signal_patches.png", encode_png(draw_patches(percept.patches().labels))},
@@ -32,7 +37,7 @@ std::vector<OutputFile> debug_images(const std::filesystem::path& folder, const 
 }
 
 /// Labels are those of labels.png; the instances of COCO are the objects.
-OutputFile labelled_file(const std::filesystem::path& folder, const std::string& kind, const Frame& frame,
+OutputFile labelled_file(const OutputPath& folder, const std::string& kind, const Frame& frame,
                          const Segmentation& segmentation) {
   if (kind == "pcd") return {folder / labelled_name(kind), encode_pcd(frame, segmentation.labels)};
   if (kind == "ply") return {folder / labelled_name(kind), encode_ply(frame, segmentation.labels)};
@@ -43,6 +48,13 @@ OutputFile labelled_file(const std::filesystem::path& folder, const std::string&
 }
 
 }  // namespace
+
+std::set<std::string> result_names() {
+  std::set<std::string> names{"labels.png", "objects.png", "overlay.png", "patches.png", "labels.pcd", "result.json"};
+  names.insert(debug_names.begin(), debug_names.end());
+  for (const char* kind : labelled_kinds) names.insert(labelled_name(kind));
+  return names;
+}
 
 void add_segmenter_options(CLI::App& command, SegmenterOptions& options) {
   command.add_option("--output", options.output, "Folder for the results, one folder for each scene")
@@ -57,7 +69,7 @@ void add_segmenter_options(CLI::App& command, SegmenterOptions& options) {
       .add_option("--also", options.also,
                   "Write files for other programs, too: pcd, labelled.pcd, an organized cloud with labels; ply, "
                   "labelled.ply; coco, coco.json, objects as instances with masks")
-      ->check(CLI::IsMember({"pcd", "ply", "coco"}))
+      ->check(CLI::IsMember(std::vector<std::string>(labelled_kinds.begin(), labelled_kinds.end())))
       ->delimiter(',')
       ->type_name("KIND,...");
   add_shorthands(command, options.pipeline);
@@ -71,25 +83,27 @@ SceneSegmenter::SceneSegmenter(const SegmenterOptions& options)
       read_(read_options(options.reading)),
       segmenter_(load_segmenter(options.pipeline)),
       config_(segmenter_.config_json()) {
-  config_["identity"] = run_identity(config_, segmenter_.config().model, options.reading);
+  run_ = run_identity(segmenter_.loaded()) + text_of(options.reading);
+  if (!options.reading.camera.empty()) run_ += file_digest(options.reading.camera);
 }
 
 SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene) const {
+  nlohmann::json config = config_;
+  config["identity"] = result_identity(run_, scene);  // of the files before they are read: one that changes now is seen
   const Input input = read_and_warn(scene, read_);
   std::optional<FrameWatch> watch(std::in_place, segmenter_.config().time_budget, scene.string());
   const SegmentedFrame found = segmenter_.segment(input.frame);
   watch.reset();
-  const std::filesystem::path folder = folder_of(scene);
-  refuse_link(folder);
+  const OutputPath folder = OutputPath(output_) / scene_name(scene);
   remove_abandoned(folder);
   const Segmentation& segmentation = found.segmentation;
   std::vector<OutputFile> more;
   if (debug_images_) more = debug_images(folder, found.percept, segmentation.graph);
   for (const std::string& kind : also_) more.push_back(labelled_file(folder, kind, input.frame, segmentation));
-  write_result(folder, input, found, config_, std::move(more));
+  write_result(folder, input, found, config, std::move(more));
   const auto objects = std::count_if(segmentation.segments.begin(), segmentation.segments.end(),
                                      [](const Segment& segment) { return segment.role == Role::object; });
-  return {folder, std::size_t(objects), segmentation.segments.size(), found.percept.surfaces().surfaces.size(),
+  return {folder.path(), std::size_t(objects), segmentation.segments.size(), found.percept.surfaces().surfaces.size(),
           found.times.total()};
 }
 
@@ -101,7 +115,7 @@ bool SceneSegmenter::has_segmented(const std::filesystem::path& scene) const {
   std::vector<std::string> wanted;
   if (debug_images_) wanted = debug_names;
   for (const std::string& kind : also_) wanted.push_back(labelled_name(kind));
-  return is_segmented(scene, folder_of(scene), config_.at("identity"), wanted);
+  return is_segmented(folder_of(scene), result_identity(run_, scene), wanted);
 }
 
 }  // namespace gestalt::app

@@ -7,7 +7,7 @@
 namespace gestalt {
 
 void write_scene(const SyntheticScene& scene, const std::filesystem::path& folder) {
-  write_scene_folder(folder / scene.frame.name,
+  write_scene_folder(OutputPath(folder) / scene.frame.name,
                      {scene.frame.colour, depth_in_millimetres(scene.frame), scene.ground_truth});
 }
 

@@ -19,6 +19,7 @@
 #include "gestalt/io/dataset/osd_release.h"
 #include "gestalt/io/dataset/tum_sequence.h"
 #include "gestalt/io/scene/scene_format.h"
+#include "gestalt/io/scene/scene_names.h"
 
 namespace gestalt::app::convert_command {
 
@@ -75,7 +76,9 @@ std::vector<SourceScene> ocid_scenes(const Options& options, const ReadOptions& 
 std::vector<SourceScene> own_scenes(const Options& options, const ReadOptions& read) {
   std::vector<SourceScene> scenes;
   for (const fs::path& path : find_scenes({options.input})) {
-    const std::string kind = scene_format_of(path)->name;
+    const SceneFormat* const format = scene_format_of(path);
+    const std::string kind = format ? format->name : "";
+    if (!format) read_scene(path);  // tells why it is none
     if (kind != options.from)
       throw InputError(path.string() + ": is " + (kind == "scene" ? "a scene folder already" : "no " + options.from) +
                        "; give only what --from says");
@@ -126,17 +129,16 @@ std::vector<SourceScene> open(const Options& options) {
 
 /// Where the scene is then.
 fs::path write(const Options& options, const std::string& set, const std::string& name, const ConvertedScene& scene) {
-  fs::path place = options.output / set / name;
+  const OutputPath folder = OutputPath(options.output) / set, place = folder / name;
   const SceneFormat& format = *find_scene_format(options.to);
   if (!format.encode) {
-    refuse_link(place);
     write_scene_folder(place, scene.images, scene.camera, scene.depth_scale);
-    return place;
+    return place.path();
   }
-  fs::path file = place.parent_path() / (name + format.extension);
+  const OutputPath file = folder / (name + format.extension);
   write_files({{file, format.encode(scene)}});
-  if (format.camera == CameraPlace::camera_file) write_camera(scene.camera, place.parent_path());
-  return file;
+  if (format.camera == CameraPlace::camera_file) write_camera(scene.camera, folder);
+  return file.path();
 }
 
 int convert(Options options) {
@@ -144,6 +146,9 @@ int convert(Options options) {
   if (options.from == options.to)
     throw InputError(options.input.string() + ": is of the layout that it would be converted to");
   const std::vector<SourceScene> scenes = open(options);
+  std::vector<NamedScene> named;
+  for (const SourceScene& scene : scenes) named.push_back({scene.path, scene.name});
+  check_scene_names(named);
   std::map<fs::path, const SourceScene*> by_path;
   std::vector<fs::path> paths;
   for (const SourceScene& scene : scenes) {
@@ -164,7 +169,8 @@ int convert(Options options) {
     return place.string() + (scene.images.label.empty() ? "" : ": " + std::to_string(scene.objects) + " objects") +
            (category.empty() ? "" : ", " + category);
   });
-  for (const auto& [set, of_scenes] : categories) merge_categories(options.output / (set + ".csv"), of_scenes);
+  for (const auto& [set, of_scenes] : categories)
+    merge_categories(OutputPath(options.output) / (set + ".csv"), of_scenes);
   return code;
 }
 

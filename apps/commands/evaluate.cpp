@@ -113,7 +113,7 @@ class Evaluation {
     const Labels objects = object_labels(segmentation);
     score(scene, ground_truth, options_.image == objects_image ? objects : segmentation.labels);
     if (options_.output.empty()) return;
-    const fs::path folder = options_.output / scene_name(scenes[scene]);
+    const OutputPath folder = OutputPath(options_.output) / scene_name(scenes[scene]);
     write_files(
         {{folder / labels_image, encode_png(segmentation.labels)}, {folder / objects_image, encode_png(objects)}});
   }
@@ -260,7 +260,7 @@ int cross_validate(const Options& options) {
     const Labels ground_truth = read_ground_truth(evaluation.scenes[i], read);
     evaluation.score(i, ground_truth, pipeline.decide(perceived[i].percept, models_of(i)));
   });
-  if (!options.output.empty()) write_files({{options.output / "reliability.svg", svg(reliability(pairs))}});
+  if (!options.output.empty()) write_files({{OutputPath(options.output) / "reliability.svg", svg(reliability(pairs))}});
   return evaluation.report(config_name(options) + ", " + folds.method, pairs);
 }
 

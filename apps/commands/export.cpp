@@ -15,6 +15,7 @@
 #include "gestalt/core/base/output_file.h"
 #include "gestalt/io/result/result.h"
 #include "gestalt/io/result/result_file.h"
+#include "gestalt/io/scene/scene_path.h"
 
 namespace gestalt::app::export_command {
 
@@ -24,7 +25,7 @@ namespace fs = std::filesystem;
 
 struct Options {
   fs::path result, output;
-  std::string format = "ply";
+  std::string format;  ///< empty: by the output's extension
   bool all = false;
   double tolerance = 0.5;  ///< mm
 };
@@ -60,10 +61,11 @@ struct Object {
   Storage storage;
 };
 
-Object reconstruct(const Options& options, const StoredResult& result, const StoredResult::Segment& segment) {
+Object reconstruct(const Options& options, const StoredResult& result, const StoredResult::Segment& segment,
+                   TriangulationBudget& budget) {
   Object object{segment.label, {}, {}};
   try {
-    object.mesh = triangulate(result, segment, options.tolerance / 1000);
+    object.mesh = triangulate(result, segment, options.tolerance / 1000, budget);
   } catch (const InputError& error) {
     throw InputError(options.result.string() + ": " + error.what());
   }
@@ -147,14 +149,23 @@ void print(const std::string& name, const Storage& storage) {
   std::cout << line.str();
 }
 
+/// What --format says, else the extension of --output, else ply.
+std::string format_of(const Options& options) {
+  if (!options.format.empty()) return options.format;
+  const std::string extension = lower_extension(options.output);
+  return extension == ".obj" || extension == ".json" ? extension.substr(1) : "ply";
+}
+
 int export_surfaces(const Options& options) {
   const StoredResult result = read_result(options.result);
+  TriangulationBudget budget;
   std::vector<Object> objects;
   for (const StoredResult::Segment& segment : result.segments)
-    if (options.all || !segment.background) objects.push_back(reconstruct(options, result, segment));
-  write_file(options.output, options.format == "ply"   ? ply(objects)
-                             : options.format == "obj" ? obj(objects)
-                                                       : json(objects, result.scene));
+    if (options.all || !segment.background) objects.push_back(reconstruct(options, result, segment, budget));
+  const std::string format = format_of(options);
+  write_file(options.output, format == "ply"   ? ply(objects)
+                             : format == "obj" ? obj(objects)
+                                               : json(objects, result.scene));
   Storage total;
   for (const Object& object : objects) {
     print("segment " + std::to_string(object.label), object.storage);
@@ -173,9 +184,9 @@ void add_export(CLI::App& app, Run& run) {
       ->required()
       ->check(not_empty)
       ->type_name("FILE");
-  command->add_option("--format", options->format, "Format of the mesh")
-      ->check(CLI::IsMember({"ply", "obj", "json"}))
-      ->capture_default_str();
+  command
+      ->add_option("--format", options->format, "Format of the mesh (default: by the extension of --output, else ply)")
+      ->check(CLI::IsMember({"ply", "obj", "json"}));
   command->add_flag("--all", options->all, "Background as well as objects");
   command
       ->add_option("--tolerance", options->tolerance,

@@ -16,6 +16,7 @@
 #include "gestalt/apps/reading_options.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
+#include "gestalt/core/base/json_file.h"
 #include "gestalt/core/pipeline/learning_set.h"
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/scene_format.h"
@@ -126,7 +127,7 @@ Description describe_result(const nlohmann::json& result) {
 }
 
 Description describe_json(const fs::path& file) try {
-  const nlohmann::json content = nlohmann::json::parse(read_bytes(file, largest_json));
+  const nlohmann::json content = read_json(file);
   if (content.value("format", "") == "gestalt-model") return describe_model(content);
   if (content.value("format", "") == "gestalt-result") return describe_result(content);
   fail(file, "is JSON, but neither a model nor a result");

@@ -4,6 +4,7 @@
 #include "line_source.h"
 
 #include <poll.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <array>
@@ -26,8 +27,12 @@ std::optional<std::vector<fs::path>> LineSource::next(std::size_t at_most) {
     read();
     split(paths, at_most);
   }
-  if (paths.empty() && ended_ && unread_.empty()) return std::nullopt;
-  return paths;
+  if (!paths.empty() || !ended_) return paths;
+  // What is left of a name may be another scene's.
+  if (!unread_.empty())
+    throw InputError(name_ + ":" + std::to_string(lines_ + 1) + ": the line '" + unread_.substr(0, 200) +
+                     "' has no end, as of a writer that died in it; let each line end, the last one, too");
+  return std::nullopt;
 }
 
 bool LineSource::readable(std::chrono::milliseconds wait) const {
@@ -42,7 +47,9 @@ void LineSource::read() {
     unread_.append(block.data(), std::size_t(size));
   } else if (size == 0) {
     ended_ = true;
-    if (!unread_.empty()) unread_ += '\n';  // the last line may come without
+    struct stat status {};
+    const bool is_file = ::fstat(file_, &status) == 0 && S_ISREG(status.st_mode);
+    if (!unread_.empty() && is_file) unread_ += '\n';  // the last line of a file may come without
   } else if (errno != EAGAIN && errno != EINTR) {
     throw InputError(name_ + ": cannot be read: " + std::strerror(errno));
   }
@@ -52,6 +59,9 @@ void LineSource::split(std::vector<fs::path>& paths, std::size_t at_most) {
   std::size_t begin = 0;
   for (std::size_t end; paths.size() < at_most && (end = unread_.find('\n', begin)) != unread_.npos; begin = end + 1) {
     ++lines_;
+    if (unread_.substr(begin, end - begin).find('\0') != unread_.npos)
+      throw InputError(name_ + ":" + std::to_string(lines_) +
+                       ": has a NUL character, as no path has; give text with one path a line");
     if (end > begin) paths.push_back(folder_ / unread_.substr(begin, end - begin));
   }
   unread_.erase(0, begin);

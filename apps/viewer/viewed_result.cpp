@@ -62,10 +62,11 @@ void add_points(const Input& input, const std::set<int>& objects, ViewedResult& 
 pcl::PolygonMesh object_surfaces(const fs::path& file, const StoredResult& stored) try {
   Cloud vertices;
   pcl::PolygonMesh surfaces;
+  TriangulationBudget budget;
   for (const StoredResult::Segment& segment : stored.segments) {
     if (segment.background) continue;
     const auto first = pcl::index_t(vertices.size());
-    const Mesh mesh = triangulate(stored, segment, tolerance);
+    const Mesh mesh = triangulate(stored, segment, tolerance, budget);
     for (const Eigen::Vector3d& vertex : mesh.vertices)
       vertices.push_back(
           point_of({float(vertex.x()), float(vertex.y()), float(vertex.z())}, segment_colour(segment.label)));

@@ -29,7 +29,8 @@ class Forest final : public Predictor {
   std::vector<TreeNode> nodes_;
 };
 
-/// Throws ModelError unless the state is a complete forest for rows of that many columns.
+/// Throws ModelError unless the state is a complete forest for rows of that many columns: trees one after the other, of
+/// which each node is reached once, no more and no deeper ones than training grows.
 std::unique_ptr<Forest> read_forest(const nlohmann::json& state, std::size_t columns);
 
 }  // namespace gestalt

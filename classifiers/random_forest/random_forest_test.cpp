@@ -120,5 +120,55 @@ TEST(RandomForest, RefusesAStateThatWouldNotEndOrLeadsOut) {
   refused("values", {0.25, 0.0, nullptr});
 }
 
+/// The message for a forest of leaves of one half and nodes of variable 0.
+std::string complaint(const std::vector<int>& roots, const std::vector<int>& variables,
+                      const std::vector<int>& rights) {
+  const nlohmann::json state{{"roots", roots},
+                             {"variables", variables},
+                             {"rights", rights},
+                             {"values", std::vector<double>(variables.size(), 0.5)}};
+  try {
+    RandomForest({}).restore(state, 1);
+  } catch (const ModelError& error) {
+    return error.what();
+  }
+  return "";
+}
+
+// A walk's steps are bounded by the number of trees and their depth; neither follows from the size of the file.
+TEST(RandomForest, RefusesTreesThatShareNodesOrAreDeeperThanTrainingGrows) {
+  const std::vector<int> two{0, -1, -1, 0, -1, -1}, rights{2, 0, 0, 5, 0, 0};
+  EXPECT_EQ(complaint({0, 3}, two, rights), "");
+  EXPECT_EQ(complaint({0, 0}, two, rights), "'roots': the tree at 0 must begin where the one before ends, at 3");
+  EXPECT_EQ(complaint({3, 0}, two, rights), "'roots': the tree at 3 must begin where the one before ends, at 0");
+  EXPECT_EQ(complaint({0}, two, rights), "'roots': the nodes from 3 on belong to no tree");
+  EXPECT_EQ(complaint({0, 3}, two, {5, 0, 0, 5, 0, 0}),
+            "'rights': in the tree at 0, the right child 5 must come right after its left brother's last node, at 2");
+  EXPECT_EQ(complaint({0}, {0}, {0}), "'roots': the tree at 0 has no end");
+
+  const auto chain = [](int splits, bool to_the_right) {
+    std::vector<int> variables, children;
+    for (int i = 0; i < splits; ++i) {
+      variables.push_back(0);
+      if (to_the_right) variables.push_back(-1);
+      children.push_back(to_the_right ? 2 * i + 2 : 2 * splits - i);
+      if (to_the_right) children.push_back(0);
+    }
+    variables.resize(std::size_t(2 * splits + 1), -1);
+    children.resize(variables.size(), 0);
+    return complaint({0}, variables, children);
+  };
+  for (const bool to_the_right : {false, true}) {
+    EXPECT_EQ(chain(25, to_the_right), "");
+    EXPECT_NE(chain(26, to_the_right).find("is deeper than 25 levels"), std::string::npos);
+    EXPECT_NE(chain(100'000, to_the_right).find("is deeper than 25 levels"), std::string::npos);
+  }
+
+  std::vector<int> roots(2001);
+  for (int i = 0; i <= 2000; ++i) roots[std::size_t(i)] = i;
+  EXPECT_EQ(complaint(roots, std::vector<int>(2001, -1), std::vector<int>(2001, 0)),
+            "'roots' must name at most 2000 trees, they are 2001");
+}
+
 }  // namespace
 }  // namespace gestalt

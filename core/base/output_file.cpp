@@ -3,6 +3,9 @@
 
 #include "gestalt/core/base/output_file.h"
 
+#include <dirent.h>
+#include <fcntl.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <cerrno>
@@ -10,7 +13,7 @@
 #include <csignal>
 #include <cstring>
 #include <deque>
-#include <fstream>
+#include <memory>
 
 #include "gestalt/core/base/error.h"
 
@@ -21,37 +24,103 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::string_view temporary_mark = ".tmp";
+constexpr const char* choose_another = "; choose another --output";
 
-/// The process whose temporary file this is; 0: it is none.
-pid_t writer_of(const std::string& name) {
+/// The process whose temporary file this is; 0: it is none. Names are FILE.tmp17, or FILE.tmp17-2 where that is taken.
+pid_t writer_of(std::string_view name) {
   const std::size_t mark = name.rfind(temporary_mark);
-  if (mark == std::string::npos) return 0;
+  if (mark == name.npos) return 0;
   pid_t process = 0;
+  unsigned count = 0;
   const char* const end = name.data() + name.size();
-  const auto [rest, error] = std::from_chars(name.data() + mark + temporary_mark.size(), end, process);
-  return error == std::errc{} && rest == end ? process : 0;
+  auto [rest, error] = std::from_chars(name.data() + mark + temporary_mark.size(), end, process);
+  if (error != std::errc{}) return 0;
+  if (rest != end && *rest == '-') rest = std::from_chars(rest + 1, end, count).ptr;
+  return rest == end ? process : 0;
+}
+
+[[noreturn]] void fail(const fs::path& file, const std::string& why) {
+  throw OutputError(file.string() + ": cannot be written: " + why);
+}
+
+/// A file or folder that is closed at the end; -1: none.
+class Descriptor {
+ public:
+  explicit Descriptor(int number) : number_(number) {}
+  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
+  Descriptor& operator=(Descriptor&& other) noexcept {
+    std::swap(number_, other.number_);
+    return *this;
+  }
+  ~Descriptor() { close(); }
+
+  explicit operator bool() const { return number_ >= 0; }
+  operator int() const { return number_; }  // NOLINT(google-explicit-constructor): for the system's functions
+  int close() { return number_ < 0 ? 0 : ::close(std::exchange(number_, -1)); }
+
+ private:
+  int number_;
+};
+
+constexpr int as_folder = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
+
+bool is_link(int folder, const fs::path& name) {
+  struct stat status {};
+  return ::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(status.st_mode);
+}
+
+/// What the user has named as a folder, and what of the way below it leads to one.
+struct Way {
+  fs::path named, below;
+};
+
+/// The folder of a file, and the file's name in it.
+std::pair<Way, fs::path> split(const OutputPath& file) {
+  if (file.below().empty()) return {{file.named().parent_path(), {}}, file.named().filename()};
+  return {{file.named(), file.below().parent_path()}, file.below().filename()};
+}
+
+/// Opens a folder, and makes it and those around it where they are missing. file: for messages.
+Descriptor open_folder(const Way& way, const fs::path& file) {
+  fs::path path = way.named.empty() ? "." : way.named;
+  std::error_code error;
+  fs::create_directories(path, error);
+  if (error) fail(file, error.message() + choose_another);
+  Descriptor folder(::open(path.c_str(), as_folder));
+  if (!folder) fail(file, std::strerror(errno) + std::string(choose_another));
+  for (const fs::path& name : way.below) {
+    path /= name;
+    if (name == "..") fail(file, path.string() + " leads out of the output folder");
+    if (::mkdirat(folder, name.c_str(), 0777) != 0 && errno != EEXIST)
+      fail(file, std::strerror(errno) + std::string(choose_another));
+    Descriptor inner(::openat(folder, name.c_str(), as_folder | O_NOFOLLOW));
+    const int why = errno;
+    if (!inner && is_link(folder, name))
+      throw OutputError(path.string() + ": is a link, which may lead out of the output folder; remove it or choose " +
+                        "another --output");
+    if (!inner) fail(file, std::strerror(why) + std::string(choose_another));
+    folder = std::move(inner);
+  }
+  return folder;
 }
 
 /// A written file that still has its temporary name, and is removed if it keeps that.
 class StagedFile {
  public:
-  /// What becomes of a symbolic link that has the file's name.
-  enum class Link { followed, replaced };
-
-  StagedFile(const fs::path& file, std::string_view bytes, Link link = Link::replaced)
-      : file_(file), target_(target(link)), temporary_(target_) {
-    temporary_ += temporary_mark;
-    temporary_ += std::to_string(::getpid());
-    std::error_code ignored;
-    fs::remove(temporary_, ignored);  // else a link of that name would be followed
-    errno = 0;
-    std::ofstream out(temporary_, std::ios::binary);
-    out.write(bytes.data(), std::streamsize(bytes.size()));
-    out.close();
-    if (out) return;
-    const std::string why = errno ? std::strerror(errno) : "the file system refused it";
-    remove();
-    fail(why + "; check permission and free space");
+  StagedFile(const OutputPath& file, std::string_view bytes) : file_(file.path()) {
+    auto [way, name] = split(file);
+    name_ = std::move(name);
+    folder_ = open_folder(way, file_);
+    require_replaceable();
+    Descriptor out = create();
+    if (!out) fail_to_write();
+    for (std::size_t done = 0; done < bytes.size();) {
+      const ssize_t written = ::write(out, bytes.data() + done, bytes.size() - done);
+      if (written < 0 && errno == EINTR) continue;
+      if (written < 0) fail_to_write();
+      done += std::size_t(written);
+    }
+    if (out.close() != 0) fail_to_write();
   }
   StagedFile(const StagedFile&) = delete;
   StagedFile& operator=(const StagedFile&) = delete;
@@ -59,55 +128,76 @@ class StagedFile {
 
   /// Removes what has the final name.
   void retract() const {
-    std::error_code error;
-    fs::remove(target_, error);
-    if (error) fail(error.message() + "; choose another --output");
+    if (::unlinkat(folder_, name_.c_str(), 0) != 0 && errno != ENOENT)
+      fail(file_, std::strerror(errno) + std::string(choose_another));
   }
 
   void publish() {
-    std::error_code error;
-    fs::rename(temporary_, target_, error);
-    if (error) fail(error.message() + "; choose another --output");
+    if (::renameat(folder_, temporary_.c_str(), folder_, name_.c_str()) != 0)
+      fail(file_, std::strerror(errno) + std::string(choose_another));
     temporary_.clear();
   }
 
  private:
-  [[noreturn]] void fail(const std::string& why) const {
-    throw OutputError(file_.string() + ": cannot be written: " + why);
+  /// A device would be replaced by the renamed file, not written.
+  void require_replaceable() const {
+    struct stat status {};
+    if (name_.empty() || name_ == "." || name_ == "..") fail(file_, std::string("it is a folder") + choose_another);
+    if (::fstatat(folder_, name_.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) return;
+    if (S_ISDIR(status.st_mode)) fail(file_, std::string("it is a folder") + choose_another);
+    if (!S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode))
+      fail(file_, std::string("it is no regular file") + choose_another);
   }
 
-  /// The file, or the one behind the link, in a folder that exists. A device would be replaced by the renamed file, not
-  /// written.
-  fs::path target(Link link) const {
-    std::error_code error;
-    if (file_.has_parent_path()) fs::create_directories(file_.parent_path(), error);
-    if (error) fail(error.message() + "; choose another --output");
-    const bool is_replaced = link == Link::replaced && fs::is_symlink(fs::symlink_status(file_, error));
-    if (is_replaced) return file_;
-    const fs::file_status status = fs::status(file_, error);
-    if (!fs::exists(status)) return file_;
-    if (fs::is_directory(status)) fail("it is a folder; choose another --output");
-    if (!fs::is_regular_file(status)) fail("it is no regular file; choose another --output");
-    fs::path resolved = fs::canonical(file_, error);
-    if (error) fail(error.message());
-    return resolved;
+  /// A new file: other threads, and processes that have this one's number elsewhere, write under other names.
+  Descriptor create() {
+    constexpr int most_tries = 1000;
+    for (int i = 0; i < most_tries; ++i) {
+      temporary_ = name_;
+      temporary_ += temporary_mark;
+      temporary_ += std::to_string(::getpid()) + (i > 0 ? "-" + std::to_string(i) : "");
+      Descriptor out(::openat(folder_, temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
+      if (out || errno != EEXIST) return out;
+    }
+    return Descriptor(-1);
+  }
+
+  [[noreturn]] void fail_to_write() {
+    const std::string why = std::strerror(errno);
+    remove();
+    fail(file_, why + "; check permission and free space");
   }
 
   void remove() const {
-    std::error_code ignored;
-    if (!temporary_.empty()) fs::remove(temporary_, ignored);
+    if (!temporary_.empty()) ::unlinkat(folder_, temporary_.c_str(), 0);
   }
 
   const fs::path file_;
-  const fs::path target_;
-  fs::path temporary_;  ///< empty once it is published
+  fs::path name_;
+  Descriptor folder_{-1};
+  fs::path temporary_;  ///< in the folder; empty once it is published
 };
+
+/// The file itself, or the one behind the link that has its name.
+fs::path behind_links(const fs::path& file) {
+  std::error_code error;
+  const fs::file_status status = fs::status(file, error);
+  if (!fs::exists(status)) return file;
+  if (fs::is_directory(status)) fail(file, std::string("it is a folder") + choose_another);
+  fs::path resolved = fs::canonical(file, error);
+  if (error) fail(file, error.message());
+  return resolved;
+}
 
 }  // namespace
 
-void write_file(const fs::path& file, std::string_view bytes) {
-  StagedFile(file, bytes, StagedFile::Link::followed).publish();
+OutputPath OutputPath::operator/(const std::filesystem::path& name) const {
+  OutputPath inner = *this;
+  inner.below_ /= name;
+  return inner;
 }
+
+void write_file(const fs::path& file, std::string_view bytes) { StagedFile(behind_links(file), bytes).publish(); }
 
 void write_files(const std::vector<OutputFile>& files) {
   std::deque<StagedFile> staged;
@@ -124,21 +214,16 @@ void write_files(const std::vector<OutputFile>& files, const OutputFile& last) {
   staged_last.publish();
 }
 
-void refuse_link(const fs::path& folder) {
-  std::error_code error;
-  if (fs::is_symlink(fs::symlink_status(folder, error)))
-    throw OutputError(folder.string() +
-                      ": is a link, which may lead out of the output folder; remove it or choose "
-                      "another --output");
-}
-
-void remove_abandoned(const fs::path& folder) {
-  std::error_code error;
-  fs::directory_iterator entry(folder, error);
-  for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
-    const pid_t writer = writer_of(entry->path().filename().string());
-    std::error_code ignored;
-    if (writer > 0 && ::kill(writer, 0) != 0 && errno == ESRCH) fs::remove(entry->path(), ignored);
+void remove_abandoned(const OutputPath& place) {
+  Descriptor folder(::open(place.named().empty() ? "." : place.named().c_str(), as_folder));
+  for (const fs::path& name : place.below())
+    if (folder) folder = Descriptor(::openat(folder, name.c_str(), as_folder | O_NOFOLLOW));
+  if (!folder) return;
+  const std::unique_ptr<DIR, int (*)(DIR*)> entries(::fdopendir(::dup(folder)), ::closedir);
+  if (!entries) return;
+  while (const dirent* entry = ::readdir(entries.get())) {
+    const pid_t writer = writer_of(entry->d_name);
+    if (writer > 0 && ::kill(writer, 0) != 0 && errno == ESRCH) ::unlinkat(folder, entry->d_name, 0);
   }
 }
 

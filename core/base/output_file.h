@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 #include <string_view>
+#include <utility>
 #include <vector>
 
 #include "gestalt/core/base/export.h"
@@ -16,14 +17,33 @@ namespace gestalt {
 /// the system's reason, also where the name is taken by a folder or a device; leaves no temporary file.
 GESTALT_EXPORT void write_file(const std::filesystem::path& file, std::string_view bytes);
 
+/// Where an output goes: what the user has named, whose links are followed, and the way from there, which data may
+/// name, as a scene's name does. No link is followed on that way: a stranger may have put it there to lead out.
+class GESTALT_EXPORT OutputPath {
+ public:
+  /// Implicit, so that what the user named can be given as it is.
+  OutputPath(std::filesystem::path named) : named_(std::move(named)) {}  // NOLINT(google-explicit-constructor)
+
+  /// What lies below.
+  OutputPath operator/(const std::filesystem::path& name) const;
+
+  std::filesystem::path path() const { return named_ / below_; }
+  const std::filesystem::path& named() const { return named_; }
+  const std::filesystem::path& below() const { return below_; }
+
+ private:
+  std::filesystem::path named_, below_;
+};
+
 /// A file to be, with its content.
 struct OutputFile {
-  std::filesystem::path file;
+  OutputPath file;
   std::string bytes;
 };
 
-/// write_file for files that belong together: none gets its final name before all are written. Where a name is a
-/// symbolic link, the file takes its place: files in a folder may be named and put there by strangers.
+/// write_file for files that belong together: none gets its final name before all are written. Missing folders are
+/// made. Where the file's name is a symbolic link, the file takes its place; where a folder below what the user named
+/// is one, throws OutputError. Folders are opened one below the other, so that none can be made a link meanwhile.
 GESTALT_EXPORT void write_files(const std::vector<OutputFile>& files);
 
 /// The same with a file that tells that all others are there: the old one is removed before any other gets its final
@@ -31,11 +51,8 @@ GESTALT_EXPORT void write_files(const std::vector<OutputFile>& files);
 /// killed.
 GESTALT_EXPORT void write_files(const std::vector<OutputFile>& files, const OutputFile& last);
 
-/// Throws OutputError where a folder is a symbolic link: one that is named by data, as a scene's is, must not lead out
-/// of the output folder.
-GESTALT_EXPORT void refuse_link(const std::filesystem::path& folder);
-
-/// Removes the temporary files that processes which were killed have left in a folder; nothing where there is none.
-GESTALT_EXPORT void remove_abandoned(const std::filesystem::path& folder);
+/// Removes the temporary files that processes which were killed have left in a folder; nothing where there is none, or
+/// a link on the way below what the user named.
+GESTALT_EXPORT void remove_abandoned(const OutputPath& folder);
 
 }  // namespace gestalt

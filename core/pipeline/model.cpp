@@ -7,7 +7,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gestalt/core/base/error.h"
-#include "gestalt/core/base/file_bytes.h"
+#include "gestalt/core/base/json_file.h"
 #include "gestalt/core/base/output_file.h"
 #include "gestalt/core/pipeline/model_fields.h"
 #include "gestalt/core/plugin/component_call.h"
@@ -49,24 +49,8 @@ std::string difference(const std::vector<std::string>& of_model, const std::vect
   return text;
 }
 
-std::string read_text(const fs::path& file) try {
-  return read_bytes(file, largest_json);
-} catch (const InputError& error) {
-  throw ModelError(std::string(error.what()) + ", or train a model with `gestalt train`");
-}
-
-json parse(const fs::path& file, const std::string& text) {
-  try {
-    return json::parse(text);
-  } catch (const json::parse_error& error) {
-    const auto place = text.begin() + std::ptrdiff_t(std::min(text.size(), std::max<std::size_t>(error.byte, 1) - 1));
-    const auto line = 1 + std::count(text.begin(), place, '\n');
-    const auto line_begin = std::find(std::make_reverse_iterator(place), text.rend(), '\n').base();
-    throw ModelError(file.string() + ":" + std::to_string(line) + ":" + std::to_string(place - line_begin + 1) +
-                     ": is no model, since it is no valid JSON from here on; " + retrain);
-  } catch (const json::exception&) {
-    throw ModelError(file.string() + ": is no model: a number in it is out of range; " + retrain);
-  }
+json read(const fs::path& file) try { return read_json(file); } catch (const InputError& error) {
+  throw ModelError(std::string(error.what()) + "; name a model, or train one with `gestalt train`");
 }
 
 Scaling read_scaling(const json& object, std::size_t columns) {
@@ -168,15 +152,16 @@ void check_format(const fs::path& file, const json& document) {
 
 Model read_level(const fs::path& file, const json& document, Level level, const ExpectedModel& expected) {
   const std::string level_name = name_of(level);
-  const json levels = document.value("levels", json());
-  if (!levels.is_object()) fail(file, std::string("is damaged: 'levels' must hold the models by level; ") + retrain);
-  if (!levels.contains(level_name))
+  const auto levels = document.find("levels");
+  if (levels == document.end() || !levels->is_object())
+    fail(file, std::string("is damaged: 'levels' must hold the models by level; ") + retrain);
+  if (!levels->contains(level_name))
     fail(file, "has no model of the " + level_name + " level; " + retrain +
                    " with this config, or use a config without that level");
   Model model;
   json state;
   try {
-    const json& content = levels.at(level_name);
+    const json& content = levels->at(level_name);
     model.names = texts_field(content, "names");
     model.scaling = read_scaling(field(content, "scaling"), model.names.size());
     model.classifier = text_field(content, "classifier");
@@ -215,7 +200,7 @@ void write_models(const fs::path& file, const Models& models) {
 
 Models read_models(const fs::path& file, const ExpectedModel& structural,
                    const std::optional<ExpectedModel>& assembly) {
-  const json document = parse(file, read_text(file));
+  const json document = read(file);
   check_format(file, document);
   Models models{read_level(file, document, Level::structural, structural), {}};
   if (assembly) models.assembly = read_level(file, document, Level::assembly, *assembly);

@@ -31,6 +31,7 @@ class GESTALT_EXPORT Segmenter {
   /// Throws as Pipeline::perceive() and Pipeline::decide() do.
   SegmentedFrame segment(const Frame& frame) const;
 
+  const LoadedConfig& loaded() const { return loaded_; }
   const Config& config() const { return pipeline_.config(); }
   const Registry& registry() const { return loaded_.registry; }
   const Pipeline& pipeline() const { return pipeline_; }

@@ -79,6 +79,8 @@ RunningComponent::~RunningComponent() {
 
 const char* running_component() noexcept { return running ? running : begun_last.load(std::memory_order_acquire); }
 
+const char* own_component() noexcept { return running; }
+
 std::vector<const char*> running_components() { return Place::taken(); }
 
 }  // namespace gestalt

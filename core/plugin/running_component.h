@@ -13,6 +13,9 @@ namespace gestalt {
 /// long as the process.
 GESTALT_EXPORT const char* running_component() noexcept;
 
+/// The component that the calling thread works for; null: none. For whoever reports that the process ends.
+GESTALT_EXPORT const char* own_component() noexcept;
+
 /// All that are at work at the moment, each once, in no order. Takes a lock: not for signal handlers.
 GESTALT_EXPORT std::vector<const char*> running_components();
 

@@ -4,13 +4,13 @@
 #include "result_file.h"
 
 #include <cmath>
-#include <fstream>
 #include <limits>
 #include <nlohmann/json.hpp>
 #include <sstream>
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/hash.h"
+#include "gestalt/core/base/json_file.h"
 #include "gestalt/core/base/output_file.h"
 
 namespace gestalt {
@@ -159,8 +159,9 @@ std::optional<ExperimentResult> ResultFile::read(const std::function<void(const 
   std::error_code error;
   if (!std::filesystem::exists(file_, error)) return std::nullopt;
   try {
-    std::ifstream in(file_, std::ios::binary);
-    const Json json = Json::parse(in);
+    const std::string text = read_bytes(file_, largest_json);
+    parse_json(file_.string(), text);
+    const Json json = Json::parse(text);  // in its order, which the checksum is of
     if (json.at("format") != format_name) throw Error("it is no result of an experiment");
     if (json.at("key") != key_) throw Error("it belongs to another experiment");
     if (json.at("checksum") != content_hash(json.at("result").dump())) throw Error("its checksum is wrong");

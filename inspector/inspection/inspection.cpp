@@ -56,8 +56,9 @@ json truth_of(const std::vector<int>& objects, int a, int b) {
 /// cannot be drawn.
 json mesh_of(const json& patch) {
   Mesh mesh;
+  TriangulationBudget budget;
   try {
-    mesh = triangulate(read_surface(patch), mesh_tolerance);
+    mesh = triangulate(read_surface(patch), mesh_tolerance, budget);
   } catch (const ModelError&) {
     return nullptr;  // a fitter of one's own
   } catch (const InputError&) {

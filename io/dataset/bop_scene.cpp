@@ -9,7 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "gestalt/core/base/error.h"
-#include "gestalt/core/base/file_bytes.h"
+#include "gestalt/core/base/json_file.h"
 #include "gestalt/core/pipeline/learning_set.h"
 #include "gestalt/io/scene/natural_order.h"
 #include "gestalt/io/scene/png_file.h"
@@ -28,7 +28,7 @@ constexpr int most_masks = 6552;
 
 json read_cameras(const fs::path& scene) {
   const fs::path file = scene / cameras_file;
-  json cameras = json::parse(read_bytes(file, largest_cameras), nullptr, false);
+  json cameras = read_json(file, largest_cameras);
   if (!cameras.is_object() || cameras.empty())
     throw InputError(file.string() + ": is no map of image numbers to cameras, in JSON; take the file of the data set");
   return cameras;

@@ -43,13 +43,24 @@ struct Mesh {
   std::vector<std::array<int, 3>> triangles;  ///< indices of vertices
 };
 
+/// What triangles of the surfaces of one file may still cost, together: far above what any scene needs, so that a file
+/// made to do harm ends in an error within seconds, whatever the number of its patches.
+struct TriangulationBudget {
+  static constexpr std::size_t most_tests = 500'000'000, most_triangles = 1'000'000;
+
+  std::size_t tests = most_tests;          ///< of an outline's vertex with what may lie around it
+  std::size_t triangles = most_triangles;  ///< that are given
+};
+
 /// The triangles of polygons with holes, as indices into the vertices of all outlines, one after the other. They have
 /// one orientation (positive area) and cover exactly the polygons where these do not cross themselves; a hole outside
-/// of all polygons is left out, and so is what has no area. Throws InputError when the outlines are hopelessly tangled.
-GESTALT_EXPORT std::vector<std::array<int, 3>> triangulate(const std::vector<TrimmingOutline>& outlines);
+/// of all polygons is left out, and so is what has no area. Throws InputError when the outlines are hopelessly tangled:
+/// the budget's tests do not suffice.
+GESTALT_EXPORT std::vector<std::array<int, 3>> triangulate(const std::vector<TrimmingOutline>& outlines,
+                                                           TriangulationBudget& budget);
 
 /// The part of a surface within its outlines, as triangles whose edges are no farther than tolerance (m) from it.
-/// Throws InputError when that would take a million triangles.
-GESTALT_EXPORT Mesh triangulate(const TrimmedSurface& surface, double tolerance);
+/// Throws InputError when the budget does not suffice.
+GESTALT_EXPORT Mesh triangulate(const TrimmedSurface& surface, double tolerance, TriangulationBudget& budget);
 
 }  // namespace gestalt

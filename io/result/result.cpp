@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "gestalt/core/base/error.h"
 #include "gestalt/core/base/isolated.h"
 #include "gestalt/core/base/output_file.h"
 #include "gestalt/core/scene/contour.h"
@@ -49,7 +50,11 @@ Json outlines_json(const Frame& frame, const SurfaceModel& model, const std::vec
     cv::approxPolyDP(line, corners, 1, true);
     Json vertices = Json::array();
     for (const cv::Point& corner : corners)
-      if (const auto place = model.parameters(frame.point(corner.y * frame.width() + corner.x)))
+      if (const auto place = model.parameters(frame.point(corner.y * frame.width() + corner.x));
+          place && !place->allFinite())
+        throw PluginError("fitter '" + model.type() + "' gave parameters of a point that are not finite; report this " +
+                          "to its author, or leave it out of the config");
+      else if (place)
         vertices.push_back({rounded(place->x()), rounded(place->y())});
     if (!vertices.empty()) outlines.push_back({{"hole", contour.hole}, {"vertices", std::move(vertices)}});
   }
@@ -148,8 +153,8 @@ Json result_json(const Input& input, const SegmentedFrame& found, const Json& co
           {"config", config}};
 }
 
-void write_result(const std::filesystem::path& folder, const Input& input, const SegmentedFrame& found,
-                  const Json& config, std::vector<OutputFile> more) {
+void write_result(const OutputPath& folder, const Input& input, const SegmentedFrame& found, const Json& config,
+                  std::vector<OutputFile> more) {
   const Segmentation& segmentation = found.segmentation;
   std::vector<OutputFile> files{{folder / "labels.png", encode_png(segmentation.labels)},
                                 {folder / "objects.png", encode_png(object_labels(segmentation))},
@@ -158,7 +163,7 @@ void write_result(const std::filesystem::path& folder, const Input& input, const
   if (!input.cloud.empty()) files.push_back({folder / "labels.pcd", point_labels(input, segmentation.labels)});
   std::move(more.begin(), more.end(), std::back_inserter(files));
   Json result = result_json(input, found, config);
-  for (const OutputFile& file : files) result["files"].push_back(file.file.filename().string());
+  for (const OutputFile& file : files) result["files"].push_back(file.file.path().filename().string());
   // A scene's name comes from a path, which may be no UTF-8.
   write_files(files, {folder / "result.json", result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"});
 }

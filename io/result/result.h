@@ -52,7 +52,7 @@ GESTALT_EXPORT cv::Mat draw_graph(const Frame& frame, const SurfaceSet& surfaces
 /// unorganized clouds also labels.pcd (x y z label, the original points in their order; label 0 = in no segment), into
 /// a folder, and the files in more: all of them or, with OutputError, none. result.json comes last, and an old one is
 /// removed first: where it is, all files are and belong together.
-GESTALT_EXPORT void write_result(const std::filesystem::path& folder, const Input& input, const SegmentedFrame& found,
+GESTALT_EXPORT void write_result(const OutputPath& folder, const Input& input, const SegmentedFrame& found,
                                  const nlohmann::json& config, std::vector<OutputFile> more = {});
 
 }  // namespace gestalt

@@ -9,7 +9,7 @@
 #include <set>
 
 #include "gestalt/core/base/error.h"
-#include "gestalt/core/base/file_bytes.h"
+#include "gestalt/core/base/json_file.h"
 #include "gestalt/core/pipeline/model_fields.h"
 
 namespace gestalt {
@@ -19,9 +19,8 @@ using nlohmann::json;
 
 namespace {
 
-constexpr std::size_t most_mesh_triangles = 5'000'000;  // of a segment's mesh
-constexpr double largest_length = 1e4;                  // m, of a coordinate
-constexpr std::size_t most_vertices = 20000;            // of the outlines of one patch
+constexpr double largest_length = 1e4;        // m, of a coordinate
+constexpr std::size_t most_vertices = 20000;  // of the outlines of one patch
 constexpr const char* remedy = "; make it anew with `gestalt segment`";
 
 [[noreturn]] void fail(const std::string& what) { throw ModelError(what); }  // gets its place from within()
@@ -185,24 +184,17 @@ auto of_file(const fs::path& file, const Work& work) {
   }
 }
 
-json parse(const fs::path& file) {
-  const std::string bytes = read_bytes(file, largest_json);
-  try {
-    return json::parse(bytes);
-  } catch (const json::parse_error& problem) {
-    fail("is no valid JSON from byte " + std::to_string(problem.byte) + " on");
-  } catch (const json::exception&) {
-    fail("has a number out of range");
-  }
+json parse(const fs::path& file) try { return read_json(file); } catch (const InputError& problem) {
+  throw InputError(problem.what() + std::string(remedy));
 }
 
 }  // namespace
 
 json read_result_content(const fs::path& file) {
+  json content = parse(file);
   return of_file(file, [&] {
-    json content = parse(file);
     check_format(content);
-    return content;
+    return std::move(content);
   });
 }
 
@@ -211,18 +203,16 @@ StoredResult read_result(const fs::path& file) {
   return of_file(file, [&] { return read(content); });
 }
 
-Mesh triangulate(const StoredResult& result, const StoredResult::Segment& segment, double tolerance) {
+Mesh triangulate(const StoredResult& result, const StoredResult::Segment& segment, double tolerance,
+                 TriangulationBudget& budget) {
   Mesh mesh;
   for (const int patch : segment.patches) {
     Mesh surface;
     try {
-      surface = triangulate(result.patches[std::size_t(patch)], tolerance);
+      surface = triangulate(result.patches[std::size_t(patch)], tolerance, budget);
     } catch (const InputError& error) {
       throw InputError("patches[" + std::to_string(patch) + "]: " + error.what());
     }
-    if (mesh.triangles.size() + surface.triangles.size() > most_mesh_triangles)
-      throw InputError("segment " + std::to_string(segment.label) + " takes more than " +
-                       std::to_string(most_mesh_triangles) + " triangles; allow a larger tolerance");
     const int first = int(mesh.vertices.size());
     mesh.vertices.insert(mesh.vertices.end(), surface.vertices.begin(), surface.vertices.end());
     for (const auto& [a, b, c] : surface.triangles) mesh.triangles.push_back({first + a, first + b, first + c});

@@ -30,8 +30,9 @@ struct StoredResult {
 GESTALT_EXPORT StoredResult read_result(const std::filesystem::path& file);
 
 /// The surfaces of a segment's patches as one mesh, as triangulate() makes those of one (tolerance in m). Throws
-/// InputError naming the patch, and for more than five million triangles.
-GESTALT_EXPORT Mesh triangulate(const StoredResult& result, const StoredResult::Segment& segment, double tolerance);
+/// InputError naming the patch.
+GESTALT_EXPORT Mesh triangulate(const StoredResult& result, const StoredResult::Segment& segment, double tolerance,
+                                TriangulationBudget& budget);
 
 /// The content of a result.json: an object of this format and version; nothing else in it is checked. Throws InputError
 /// as read_result() does.

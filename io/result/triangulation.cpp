@@ -22,9 +22,11 @@ using Point = Eigen::Vector2d;
 using Triangle = std::array<int, 3>;
 using Ring = std::vector<int>;  // indices of vertices, in order around it
 
-// Far above what any scene needs, so that a file made to do harm ends in an error within a second.
-constexpr std::size_t most_tests = 500'000'000;  // whether a vertex lies in an ear
-constexpr std::size_t most_triangles = 1'000'000;
+/// Takes the cost of a step, in vertices that it looks at.
+void spend(std::size_t tests, TriangulationBudget& budget) {
+  if (tests > budget.tests) throw InputError("the outlines are too tangled to be triangulated");
+  budget.tests -= tests;
+}
 
 /// Twice the area of a triangle, positive when it turns counter-clockwise.
 double area(const Point& a, const Point& b, const Point& c) {
@@ -37,7 +39,7 @@ bool in_triangle(const Point& p, const Point& a, const Point& b, const Point& c)
 
 class Polygons {
  public:
-  explicit Polygons(const std::vector<TrimmingOutline>& outlines) {
+  Polygons(const std::vector<TrimmingOutline>& outlines, TriangulationBudget& budget) : budget_(budget) {
     std::vector<Ring> holes;
     for (const TrimmingOutline& outline : outlines) {
       Ring ring;
@@ -135,9 +137,11 @@ class Polygons {
   void bridge(const Ring& hole) {
     const auto start = rightmost(hole);
     for (Ring& ring : rings_) {
+      spend(ring.size(), budget_);
       if (!contains(ring, at(*start))) continue;
       const auto place = visible_vertex(ring, at(*start));
       if (!place) continue;
+      spend(3 * ring.size(), budget_);
       Ring detour(start, hole.end());
       detour.insert(detour.end(), hole.begin(), start + 1);
       detour.push_back(ring[*place]);
@@ -159,13 +163,13 @@ class Polygons {
   }
 
   void clip_ears(Ring ring, std::vector<Triangle>& triangles) const {
-    std::size_t i = 0, misses = 0, tests = 0;
+    std::size_t i = 0, misses = 0;
     while (ring.size() > 2) {
       const std::size_t n = ring.size();
       const int before = ring[(i + n - 1) % n], here = ring[i], after = ring[(i + 1) % n];
       const double size = area(at(before), at(here), at(after));
       const bool stuck = misses >= n;  // the ring crosses itself
-      if ((tests += n) > most_tests) throw InputError("the outlines are too tangled to be triangulated");
+      spend(n, budget_);
       if (is_ear(ring, i) || size == 0 || stuck) {
         if (size > 0) triangles.push_back({before, here, after});
         ring.erase(ring.begin() + std::ptrdiff_t(i));
@@ -178,6 +182,7 @@ class Polygons {
     }
   }
 
+  TriangulationBudget& budget_;
   std::vector<Point> points_;
   std::vector<Ring> rings_;
 };
@@ -186,7 +191,8 @@ class Polygons {
 /// split depends on the edge alone, so that both triangles beside it do the same.
 class Refinement {
  public:
-  Refinement(const TrimmedSurface& surface, double tolerance) : surface_(surface), tolerance_(tolerance) {}
+  Refinement(const TrimmedSurface& surface, double tolerance, TriangulationBudget& budget)
+      : surface_(surface), tolerance_(tolerance), budget_(budget) {}
 
   Mesh run(const std::vector<Triangle>& triangles) {
     for (const TrimmingOutline& outline : surface_.outlines)
@@ -226,9 +232,10 @@ class Refinement {
       for (std::size_t k = 0; k < 3; ++k) m[k] = middle(t[(k + 1) % 3], t[(k + 2) % 3]);
     const auto count = std::count_if(m.begin(), m.end(), [](const auto& v) { return v.has_value(); });
     if (count == 0) {
-      if (mesh_.triangles.size() == most_triangles)
-        throw InputError("more than " + std::to_string(most_triangles) +
+      if (budget_.triangles == 0)
+        throw InputError("more than " + std::to_string(TriangulationBudget::most_triangles) +
                          " triangles are needed; allow a larger tolerance");
+      --budget_.triangles;
       mesh_.triangles.push_back(t);
       return;
     }
@@ -271,6 +278,7 @@ class Refinement {
 
   const TrimmedSurface& surface_;
   const double tolerance_;
+  TriangulationBudget& budget_;
   std::vector<Point> parameters_;
   std::map<std::pair<int, int>, std::optional<int>> middles_;
   Mesh mesh_;
@@ -278,12 +286,12 @@ class Refinement {
 
 }  // namespace
 
-std::vector<Triangle> triangulate(const std::vector<TrimmingOutline>& outlines) {
-  return Polygons(outlines).triangles();
+std::vector<Triangle> triangulate(const std::vector<TrimmingOutline>& outlines, TriangulationBudget& budget) {
+  return Polygons(outlines, budget).triangles();
 }
 
-Mesh triangulate(const TrimmedSurface& surface, double tolerance) {
-  return Refinement(surface, tolerance).run(triangulate(surface.outlines));
+Mesh triangulate(const TrimmedSurface& surface, double tolerance, TriangulationBudget& budget) {
+  return Refinement(surface, tolerance, budget).run(triangulate(surface.outlines, budget));
 }
 
 }  // namespace gestalt

@@ -10,6 +10,7 @@
 #include <map>
 #include <numbers>
 
+#include "gestalt/core/base/error.h"
 #include "gestalt/io/result/parametric_surface.h"
 
 namespace gestalt {
@@ -23,7 +24,8 @@ double area(const std::vector<TrimmingOutline>& outlines) {
   for (const TrimmingOutline& outline : outlines)
     points.insert(points.end(), outline.vertices.begin(), outline.vertices.end());
   double sum = 0;
-  for (const auto& [a, b, c] : triangulate(outlines)) {
+  TriangulationBudget budget;
+  for (const auto& [a, b, c] : triangulate(outlines, budget)) {
     const Point u = points[std::size_t(b)] - points[std::size_t(a)],
                 v = points[std::size_t(c)] - points[std::size_t(a)];
     const double twice = u.x() * v.y() - u.y() * v.x();
@@ -55,7 +57,8 @@ TEST(Triangulation, CoversAPolygonWhicheverWayItTurns) {
   EXPECT_NEAR(area({outline}), 4, 1e-12);
   std::reverse(outline.vertices.begin(), outline.vertices.end());
   EXPECT_NEAR(area({outline}), 4, 1e-12);
-  EXPECT_EQ(triangulate({outline}).size(), 2u);
+  TriangulationBudget budget;
+  EXPECT_EQ(triangulate({outline}, budget).size(), 2u);
 }
 
 TEST(Triangulation, CoversWhatIsNotConvex) {
@@ -103,7 +106,8 @@ TrimmedSurface arch() {
 
 TEST(TrimmedSurface, IsSplitUntilItsEdgesAreNear) {
   for (const double tolerance : {0.1, 0.01, 0.001}) {
-    const Mesh mesh = triangulate(arch(), tolerance);
+    TriangulationBudget budget;
+    const Mesh mesh = triangulate(arch(), tolerance, budget);
     double sum = 0;
     for (const auto& [a, b, c] : mesh.triangles) {
       const std::array<int, 3> corners{a, b, c};
@@ -121,7 +125,8 @@ TEST(TrimmedSurface, IsSplitUntilItsEdgesAreNear) {
 
 TEST(TrimmedSurface, HasNoCracks) {
   // Every edge inside belongs to two triangles; those of one only lie on the border of the domain.
-  const Mesh mesh = triangulate(arch(), 0.001);
+  TriangulationBudget budget;
+  const Mesh mesh = triangulate(arch(), 0.001, budget);
   std::map<std::pair<int, int>, int> uses;
   for (const auto& t : mesh.triangles)
     for (std::size_t k = 0; k < 3; ++k) ++uses[std::minmax(t[k], t[(k + 1) % 3])];
@@ -136,10 +141,44 @@ TEST(TrimmedSurface, HasNoCracks) {
 
 TEST(TrimmedSurface, PlanesAreNotSplit) {
   const TrimmedSurface plane{PlaneSurface{{0, 0, 1}, {1, 0, 0}, {0, 1, 0}}, {square(-1, -1, 2)}, 100, 0};
-  const Mesh mesh = triangulate(plane, 1e-6);
+  TriangulationBudget budget;
+  const Mesh mesh = triangulate(plane, 1e-6, budget);
   EXPECT_EQ(mesh.triangles.size(), 2u);
   EXPECT_EQ(mesh.vertices.size(), 4u);
   for (const Eigen::Vector3d& p : mesh.vertices) EXPECT_EQ(p.z(), 1);
+}
+
+// The surfaces of a file share what may be spent: twice as many small ones cost no more than one large one.
+TEST(TrimmedSurface, TakesWhatItCostsFromTheBudget) {
+  TriangulationBudget budget;
+  const std::size_t triangles = triangulate(arch(), 0.001, budget).triangles.size();
+  EXPECT_EQ(budget.triangles, TriangulationBudget::most_triangles - triangles);
+  EXPECT_LT(budget.tests, TriangulationBudget::most_tests);
+  const std::size_t tests = TriangulationBudget::most_tests - budget.tests;
+
+  TriangulationBudget for_two{2 * tests, 2 * triangles};
+  for (int i = 0; i < 2; ++i) EXPECT_EQ(triangulate(arch(), 0.001, for_two).triangles.size(), triangles);
+  EXPECT_EQ(for_two.tests, 0u);
+  EXPECT_EQ(for_two.triangles, 0u);
+  EXPECT_THROW(triangulate(arch(), 0.001, for_two), InputError);
+  TriangulationBudget too_few{tests, triangles - 1};
+  EXPECT_THROW(triangulate(arch(), 0.001, too_few), InputError);
+}
+
+// Holes are joined to the polygon around them one after the other.
+TEST(Triangulation, CountsTheTestsOfHoles) {
+  const auto tests = [](int holes) {
+    std::vector<TrimmingOutline> outlines{square(0, 0, 100)};
+    for (int i = 0; i < holes; ++i) outlines.push_back(square(1 + 3 * (i % 30), 1 + 3 * (i / 30), 1, true));
+    TriangulationBudget budget;
+    triangulate(outlines, budget);
+    return double(TriangulationBudget::most_tests - budget.tests);
+  };
+  EXPECT_GT(tests(200), 3 * tests(100));  // by the square: what bounds it is the budget
+  TriangulationBudget little{50, 1000};
+  EXPECT_THROW(
+      triangulate({square(0, 0, 9), square(1, 1, 1, true), square(3, 3, 1, true), square(5, 5, 1, true)}, little),
+      InputError);
 }
 
 TEST(TrimmedSurface, CountsItsBytes) {

@@ -3,11 +3,11 @@
 
 #include <algorithm>
 #include <cctype>
-#include <map>
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/scene_format.h"
+#include "gestalt/io/scene/scene_names.h"
 #include "gestalt/io/scene/scene_path.h"
 #include "natural_order.h"
 
@@ -16,6 +16,14 @@ namespace gestalt {
 namespace fs = std::filesystem;
 
 namespace {
+
+/// Whether a path may lead to a scene of which nothing can be seen: a folder that cannot be listed, a link to nowhere.
+bool is_closed(const fs::path& path) {
+  std::error_code error;
+  const fs::file_status status = fs::status(path, error);
+  if (fs::is_directory(status)) return fs::directory_iterator(path, error), bool(error);
+  return !fs::exists(status) && fs::is_symlink(fs::symlink_status(path, error));
+}
 
 std::vector<fs::path> scenes_in(const fs::path& folder) {
   std::error_code error;
@@ -42,7 +50,7 @@ std::string lower_extension(const fs::path& file) {
   return extension;
 }
 
-bool is_scene(const fs::path& path) { return scene_format_of(path); }
+bool is_scene(const fs::path& path) { return scene_format_of(path) || is_closed(path); }
 
 bool scene_less(const fs::path& a, const fs::path& b) {
   return natural_less(a.filename().string(), b.filename().string());
@@ -76,11 +84,9 @@ std::vector<fs::path> find_scenes(const std::vector<fs::path>& paths) {
                        " file, or a folder of those");
     }
   }
-  std::map<std::string, fs::path> names;
-  for (const fs::path& scene : scenes)
-    if (const auto [other, is_new] = names.emplace(scene_name(scene), scene); !is_new)
-      throw InputError(scene.string() + ": has the same name as " + other->second.string() +
-                       ", their results would be mixed up; give them apart or rename one");
+  std::vector<NamedScene> named;
+  for (const fs::path& scene : scenes) named.push_back({scene, scene_name(scene)});
+  check_scene_names(named);
   return scenes;
 }
 

@@ -34,7 +34,7 @@ std::string camera_text(const Camera& camera, double depth_scale = 0.001) {
 }
 
 /// depth.png comes last: a folder with depth is a whole scene.
-std::vector<OutputFile> image_files(const fs::path& folder, const SceneImages& images) {
+std::vector<OutputFile> image_files(const OutputPath& folder, const SceneImages& images) {
   std::vector<OutputFile> files;
   if (!images.colour.empty()) files.push_back({folder / "rgb.png", encode_png(images.colour)});
   if (!images.label.empty()) files.push_back({folder / "label.png", encode_png(images.label)});
@@ -57,23 +57,27 @@ cv::Mat_<std::uint16_t> depth_in_millimetres(const Frame& frame) {
   return millimetres;
 }
 
-void write_scene_folder(const fs::path& folder, const SceneImages& images) { write_files(image_files(folder, images)); }
+void write_scene_folder(const OutputPath& folder, const SceneImages& images) {
+  write_files(image_files(folder, images));
+}
 
-void write_scene_folder(const fs::path& folder, const SceneImages& images, const Camera& camera, double depth_scale) {
+void write_scene_folder(const OutputPath& folder, const SceneImages& images, const Camera& camera, double depth_scale) {
   std::vector<OutputFile> files = image_files(folder, images);
   files.insert(files.begin(), {folder / "camera.yaml", camera_text(camera, depth_scale)});
   write_files(files);
 }
 
-void write_camera(const Camera& camera, const fs::path& folder) {
+void write_camera(const Camera& camera, const OutputPath& folder) {
   const std::string text = camera_text(camera);
-  const fs::path file = folder / "camera.yaml";
+  const OutputPath output = folder / "camera.yaml";
+  const fs::path file = output.path();
   if (fs::exists(file) && read_bytes(file, largest_text) != text)
     throw OutputError(file.string() + ": the folder holds scenes of another camera; choose another --output");
-  write_files({{file, text}});
+  write_files({{output, text}});
 }
 
-void merge_categories(const fs::path& file, const std::map<std::string, std::string>& category_of_scene) {
+void merge_categories(const OutputPath& output, const std::map<std::string, std::string>& category_of_scene) {
+  const fs::path file = output.path();
   static const std::string header = "scene,category";
   std::map<std::string, std::string> rows;
   if (fs::exists(file)) {
@@ -98,7 +102,7 @@ void merge_categories(const fs::path& file, const std::map<std::string, std::str
   for (const auto& [scene, category] : category_of_scene) rows[scene] = category;
   std::string text = header + '\n';
   for (const auto& [scene, category] : rows) text.append(scene).append(",").append(category).append("\n");
-  write_files({{file, text}});
+  write_files({{output, text}});
 }
 
 }  // namespace gestalt

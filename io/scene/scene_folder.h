@@ -3,11 +3,11 @@
 #pragma once
 
 #include <cstdint>
-#include <filesystem>
 #include <map>
 #include <opencv2/core.hpp>
 #include <string>
 
+#include "gestalt/core/base/output_file.h"
 #include "gestalt/core/scene/frame.h"
 
 namespace gestalt {
@@ -25,19 +25,19 @@ struct SceneImages {
 GESTALT_EXPORT cv::Mat_<std::uint16_t> depth_in_millimetres(const Frame& frame);
 
 /// Writes folder/{rgb,label,depth}.png, all or none. Throws OutputError.
-GESTALT_EXPORT void write_scene_folder(const std::filesystem::path& folder, const SceneImages& images);
+GESTALT_EXPORT void write_scene_folder(const OutputPath& folder, const SceneImages& images);
 
 /// The same with folder/camera.yaml. depth_scale: metres for each unit of the depth image, in [1e-6, 1].
-GESTALT_EXPORT void write_scene_folder(const std::filesystem::path& folder, const SceneImages& images,
-                                       const Camera& camera, double depth_scale = 0.001);
+GESTALT_EXPORT void write_scene_folder(const OutputPath& folder, const SceneImages& images, const Camera& camera,
+                                       double depth_scale = 0.001);
 
 /// Writes folder/camera.yaml for the scenes of the folder. Throws OutputError when it exists with other intrinsics.
-GESTALT_EXPORT void write_camera(const Camera& camera, const std::filesystem::path& folder);
+GESTALT_EXPORT void write_camera(const Camera& camera, const OutputPath& folder);
 
 /// Enters the categories of scenes into the table `scene,category`, keeping the rows of other scenes; rows are in
 /// the order of the scenes' names. Makes the file where it does not exist. Throws InputError, with the line, for a
 /// file that is not such a table and OutputError when it cannot be written.
-GESTALT_EXPORT void merge_categories(const std::filesystem::path& file,
+GESTALT_EXPORT void merge_categories(const OutputPath& file,
                                      const std::map<std::string, std::string>& category_of_scene);
 
 }  // namespace gestalt

@@ -42,20 +42,28 @@ Answer = TypeVar("Answer")
 
 
 @functools.lru_cache(maxsize=4)
-def _segmenter(config: str | None, overrides: Overrides, components: Components) -> _gestalt.Segmenter:
+def _segmenter(identity: str, config: str | None, overrides: Overrides, components: Components) -> _gestalt.Segmenter:
+    """Made anew when what lies at a path has another content, which is what identity names."""
     _gestalt.keep_freed_memory()
-    return _gestalt.Segmenter(config, list(overrides), components=dict(components), threads=1)
+    segmenter = _gestalt.Segmenter(config, list(overrides), components=dict(components), threads=1)
+    if _gestalt.run_identity(config, list(overrides), components=dict(components)) != identity:
+        raise _gestalt.ConfigError(
+            "this worker has another config, model, plugin or version than segment() was called with: leave files alone "
+            "while scenes are at work; after a plugin or gestalt was built anew, restart the workers"
+        )
+    return segmenter
 
 
-def _segment(scene: str, output: str, config: str | None, overrides: Overrides, components: Components) -> Outcome:
-    segmenter = _segmenter(config, overrides, components)
+def _segment(
+    scene: str, output: str, identity: str, config: str | None, overrides: Overrides, components: Components
+) -> Outcome:
+    segmenter = _segmenter(identity, config, overrides, components)
     try:
         result = segmenter.segment(scene)
-    except (_gestalt.InputError, _gestalt.PluginError) as error:
+    except (_gestalt.InputError, _gestalt.PluginError, _gestalt.TimeError) as error:
         return Outcome(scene, None, 0, 0.0, str(error))
-    folder = os.path.join(output, result.name)
-    result.save(folder)
-    return Outcome(scene, folder, len(result.objects), sum(result.milliseconds.values()), None)
+    result.save(output, result.name)
+    return Outcome(scene, os.path.join(output, result.name), len(result.objects), sum(result.milliseconds.values()), None)
 
 
 def _cross_validate(
@@ -95,11 +103,15 @@ def segment(
 ) -> list[Outcome]:
     """Segments scenes and writes the results of each into a folder of its name under output.
 
-    Returns their outcomes in order. A scene that cannot be used does not stop the others. The other arguments are those of
-    Segmenter; raises what that raises, and OutputError.
+    Returns their outcomes in order. A scene that cannot be used, or takes longer than the config's time_budget, does not
+    stop the others. The other arguments are those of Segmenter; raises what that raises, InputError for scenes of one
+    name, and OutputError. Workers that have read the config and model before read them again where they have changed.
     """
     given = _given(config, overrides, components)
-    return _spread(client, _segment, [(os.fspath(scene), os.fspath(output), *given) for scene in scenes])
+    identity = _gestalt.run_identity(given[0], list(given[1]), components=dict(given[2]))
+    paths = [os.fspath(scene) for scene in scenes]
+    _gestalt.check_scene_names(paths)
+    return _spread(client, _segment, [(path, os.fspath(output), identity, *given) for path in paths])
 
 
 def ablate(

@@ -7,6 +7,7 @@
 #include <string>
 
 #include "gestalt/core/base/error.h"
+#include "gestalt/core/base/json_file.h"
 #include "gestalt/io/scene/input.h"
 
 namespace gestalt::python {
@@ -29,8 +30,10 @@ py::array_t<T> packed(const py::array& array) {
 
 cv::Mat colour_image(const py::object& colour) {
   if (colour.is_none()) return {};
+  refuse_mask(colour, "colour");
   const auto array = py::array::ensure(colour);
-  if (!array || array.ndim() != 3 || array.shape(2) != 3 || !py::isinstance<py::array_t<std::uint8_t>>(array))
+  if (!array || array.ndim() != 3 || array.shape(2) != 3 || array.size() == 0 ||
+      !py::isinstance<py::array_t<std::uint8_t>>(array))
     throw InputError("colour: expected None or uint8 of shape (height, width, 3), got " +
                      (array ? description(array) : std::string("no array")));
   const py::array_t<std::uint8_t> rows = packed<std::uint8_t>(array);
@@ -41,6 +44,7 @@ cv::Mat colour_image(const py::object& colour) {
 }
 
 DepthReading depth_image(const py::array& depth, const ReadOptions& options) {
+  refuse_mask(depth, "depth");
   const bool millimetres = py::isinstance<py::array_t<std::uint16_t>>(depth);
   if (depth.ndim() != 2 || (!millimetres && depth.dtype().kind() != 'f'))
     throw InputError("depth: expected uint16 (millimetres) or float (metres) of shape (height, width), got " +
@@ -87,6 +91,12 @@ py::object colour_array(const cv::Mat& colour) {
   return array_of(image);
 }
 
+void refuse_mask(const py::handle& array, const std::string& name) {
+  if (py::hasattr(array, "mask") && py::hasattr(array, "filled"))
+    throw InputError(name + ": is a masked array; give " + name +
+                     ".filled(VALUE), with 0 as the value for pixels without depth or label");
+}
+
 py::object object_of(const nlohmann::json& json) {
   const std::string text = json.dump(-1, ' ', false, nlohmann::json::error_handler_t::replace);
   return py::module_::import("json").attr("loads")(text);
@@ -94,7 +104,7 @@ py::object object_of(const nlohmann::json& json) {
 
 nlohmann::json json_of(const py::object& object) {
   const py::object text = py::module_::import("json").attr("dumps")(object, py::arg("allow_nan") = false);
-  return nlohmann::json::parse(py::cast<std::string>(text));
+  return parse_json("state", py::cast<std::string>(text), deepest_json - 10);  // a model's file adds levels
 }
 
 }  // namespace gestalt::python

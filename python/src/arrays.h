@@ -34,4 +34,7 @@ py::object object_of(const nlohmann::json& json);
 /// Throws what json.dumps() throws, also for numbers that are not finite.
 nlohmann::json json_of(const py::object& object);
 
+/// Throws InputError for an array of numpy.ma: what reads it as an array loses its mask.
+void refuse_mask(const py::handle& array, const std::string& name);
+
 }  // namespace gestalt::python

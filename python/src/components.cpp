@@ -50,6 +50,7 @@ py::array_t<double> matrix(std::span<const double> values, std::size_t rows) {
 
 /// Writes what a component gave for a number of rows; one column may come without its axis.
 void read_rows(const py::object& given, std::size_t rows, const std::string& who, std::span<double> values) {
+  if (py::hasattr(given, "mask") && py::hasattr(given, "filled")) throw PluginError(who + " gave a masked array");
   const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
   if (!array) {
     PyErr_Clear();

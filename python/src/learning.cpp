@@ -57,7 +57,7 @@ nlohmann::json training_of(const Model& model) {
 py::object train(const py::object& scenes, const fs::path& output, const py::object& config,
                  const std::vector<std::string>& overrides, const py::object& components, int threads,
                  std::optional<double> depth_scale) {
-  const std::vector<fs::path> given = paths(scenes);
+  const std::vector<fs::path> given = some_paths(scenes);
   const ReadOptions options = read_options(std::nullopt, depth_scale);
   const LoadedConfig loaded = load_config(config, overrides, registered(components));
   return object_of(Arena(threads).run([&] {
@@ -75,7 +75,7 @@ py::object cross_validate(const py::object& scenes, int folds, std::uint64_t see
                           const py::object& also_train, const py::object& components, int threads,
                           std::optional<double> depth_scale) {
   const ReadOptions options = read_options(std::nullopt, depth_scale);
-  const std::vector<fs::path> given = paths(scenes), others = paths(also_train);
+  const std::vector<fs::path> given = some_paths(scenes), others = paths(also_train);
   const LoadedConfig loaded = load_config(config, overrides, registered(components));
   return object_of(Arena(threads).run([&] {
     const Pipeline pipeline(loaded.config, loaded.registry);
@@ -102,6 +102,7 @@ py::object cross_validate(const py::object& scenes, int folds, std::uint64_t see
 }
 
 Labels label_image(const py::array& labels, const char* name) {
+  refuse_mask(labels, name);
   if (labels.ndim() != 2 || (labels.dtype().kind() != 'u' && labels.dtype().kind() != 'i'))
     throw InputError(std::string(name) + ": expected integers of shape (height, width)");
   const py::array_t<std::int64_t, py::array::c_style | py::array::forcecast> rows(labels);

@@ -3,10 +3,15 @@
 
 #include <malloc.h>
 #include <pybind11/pybind11.h>
+#include <unistd.h>
+
+#include <cstdlib>
+#include <iostream>
 
 #include "components.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/plugin/registry.h"
+#include "gestalt/core/plugin/running_component.h"
 #include "gestalt/core/scene/frame.h"
 #include "segmenter.h"
 
@@ -14,15 +19,33 @@ namespace gestalt::python {
 
 namespace {
 
+/// An error of the core as one of Python. Paths in its message may be no UTF-8; they come out as Python has such paths.
+template <class E>
+py::handle bind_error(py::module_& module, const char* name, py::handle base, const char* doc) {
+  static const py::handle type = py::exception<E>(module, name, base).release();
+  type.attr("__doc__") = doc;
+  py::register_exception_translator([](std::exception_ptr thrown) {
+    try {
+      if (thrown) std::rethrow_exception(thrown);
+    } catch (const E& error) {
+      const std::string_view text = error.what();
+      const auto message = py::reinterpret_steal<py::object>(
+          PyUnicode_DecodeUTF8(text.data(), py::ssize_t(text.size()), "surrogateescape"));
+      PyErr_SetObject(type.ptr(), message.ptr());
+    }
+  });
+  return type;
+}
+
 void bind_errors(py::module_& module) {
-  const auto base = py::register_exception<Error>(module, "Error", PyExc_RuntimeError);
-  base.doc() = "What any function of the package raises when it cannot do its work.";
-  py::register_exception<ConfigError>(module, "ConfigError", base).doc() = "A config that does not hold.";
-  py::register_exception<PluginError>(module, "PluginError", base).doc() = "A component that is missing or fails.";
-  py::register_exception<ModelError>(module, "ModelError", base).doc() = "A model that is missing or does not fit.";
-  py::register_exception<InputError>(module, "InputError", base).doc() = "A scene or image that cannot be used.";
-  py::register_exception<TimeError>(module, "TimeError", base).doc() = "A frame that took longer than its time budget.";
-  py::register_exception<OutputError>(module, "OutputError", base).doc() = "A file that cannot be written.";
+  const py::handle base = bind_error<Error>(module, "Error", PyExc_RuntimeError,
+                                            "What any function of the package raises when it cannot do its work.");
+  bind_error<ConfigError>(module, "ConfigError", base, "A config that does not hold.");
+  bind_error<PluginError>(module, "PluginError", base, "A component that is missing or fails.");
+  bind_error<ModelError>(module, "ModelError", base, "A model that is missing or does not fit.");
+  bind_error<InputError>(module, "InputError", base, "A scene or image that cannot be used.");
+  bind_error<TimeError>(module, "TimeError", base, "A frame that took longer than its time budget.");
+  bind_error<OutputError>(module, "OutputError", base, "A file that cannot be written.");
 }
 
 void bind_camera(py::module_& module) {
@@ -55,11 +78,21 @@ void keep_freed_memory() {
   mallopt(M_TRIM_THRESHOLD, 256 << 20);
 }
 
+/// A component that calls exit() would end the process as if all were done.
+void refuse_exit() {
+  const char* const component = own_component();
+  if (!component) return;
+  std::cerr << "gestalt: error: exit() was called while " << component
+            << " was at work; report this to its author, or leave it out of the config" << std::endl;
+  ::_exit(1);
+}
+
 }  // namespace
 
 PYBIND11_MODULE(_gestalt, module) {
   module.doc() = "The compiled part of gestalt.";
   module.attr("__version__") = GESTALT_VERSION;
+  std::atexit(refuse_exit);
   bind_errors(module);
   bind_camera(module);
   bind_scene_view(module);

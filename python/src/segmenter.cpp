@@ -15,11 +15,13 @@
 #include "components.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/for_all.h"
+#include "gestalt/core/pipeline/run_identity.h"
 #include "gestalt/evaluation/score/evaluation.h"
 #include "gestalt/evaluation/score/scene_sets.h"
 #include "gestalt/io/result/result.h"
 #include "gestalt/io/scene/depth_reading.h"
 #include "gestalt/io/scene/input.h"
+#include "gestalt/io/scene/scene_names.h"
 
 namespace gestalt::python {
 
@@ -53,14 +55,10 @@ class Result {
   py::array normals() const { return array_of(found_.percept.patches().normals); }
   py::array points() const { return array_of(input_.frame.points); }
 
-  /// result.json, made once.
-  const py::dict& dictionary() {
-    if (!dictionary_) dictionary_ = object_of(result_json(input_, found_, source_->config));
-    return *dictionary_;
-  }
-
-  py::list segments() { return dictionary()["segments"]; }
-  py::list patches() { return dictionary()["patches"]; }
+  /// Of result.json; objects of its own each time, which a user may change.
+  py::dict dictionary() { return object_of(content()); }
+  py::list segments() { return object_of(content().at("segments")); }
+  py::list patches() { return object_of(content().at("patches")); }
 
   py::list objects() {
     py::list objects;
@@ -99,8 +97,9 @@ class Result {
     return times;
   }
 
-  void save(const fs::path& folder) const {
-    source_->arena.run([&] { write_result(folder, input_, found_, source_->config); });
+  void save(const fs::path& folder, const std::optional<std::string>& name) const {
+    const OutputPath place = name ? OutputPath(folder) / *name : OutputPath(folder);
+    source_->arena.run([&] { write_result(place, input_, found_, source_->config); });
   }
 
   std::string text() const {
@@ -111,10 +110,16 @@ class Result {
   }
 
  private:
+  /// result.json, made once.
+  const nlohmann::json& content() {
+    if (content_.is_null()) content_ = result_json(input_, found_, source_->config);
+    return content_;
+  }
+
   std::shared_ptr<const Source> source_;
   Input input_;
   SegmentedFrame found_;
-  std::optional<py::dict> dictionary_;
+  nlohmann::json content_;
 };
 
 /// gestalt.Segmenter.
@@ -148,7 +153,7 @@ class PySegmenter {
   }
 
   py::object evaluate(const py::object& scenes, std::optional<double> depth_scale) const {
-    const std::vector<fs::path> given = paths(scenes);
+    const std::vector<fs::path> given = some_paths(scenes);
     const ReadOptions options = read_options(std::nullopt, depth_scale);
     return object_of(source_->arena.run([&] {
       const std::vector<fs::path> all = find_scenes(given);
@@ -191,6 +196,17 @@ py::tuple read(const fs::path& scene, const std::optional<Camera>& camera, std::
   return py::make_tuple(frame.name, colour_array(frame.colour), array_of(frame.depth), frame.camera, labels);
 }
 
+void check_names(const std::vector<fs::path>& scenes) {
+  std::vector<NamedScene> named;
+  for (const fs::path& scene : scenes) named.push_back({scene, scene_name(scene)});
+  check_scene_names(named);
+}
+
+std::string identity(const py::object& config, const std::vector<std::string>& overrides,
+                     const py::object& components) {
+  return run_identity(load_config(config, overrides, registered(components)));
+}
+
 }  // namespace
 
 ReadOptions read_options(const std::optional<Camera>& camera, std::optional<double> depth_scale) {
@@ -204,6 +220,9 @@ ReadOptions read_options(const std::optional<Camera>& camera, std::optional<doub
 
 LoadedConfig load_config(const py::object& config, const std::vector<std::string>& overrides,
                          const py::dict& components) {
+  if (!config.is_none() && !py::isinstance<py::str>(config) && !py::hasattr(config, "__fspath__"))
+    throw ConfigError(
+        "config: expected a file, the name of an installed config, or None; single values go into overrides");
   ConfigTree tree(config.is_none() ? default_config() : py::cast<fs::path>(config), overrides);
   Registry registry(plugin_search_path(tree.plugin_directories()));
   for (const auto& [name, type] : components)
@@ -214,6 +233,12 @@ LoadedConfig load_config(const py::object& config, const std::vector<std::string
 std::vector<fs::path> paths(const py::object& paths) {
   if (py::isinstance<py::str>(paths) || py::hasattr(paths, "__fspath__")) return {py::cast<fs::path>(paths)};
   return py::cast<std::vector<fs::path>>(paths);
+}
+
+std::vector<fs::path> some_paths(const py::object& given) {
+  std::vector<fs::path> some = paths(given);
+  if (some.empty()) throw InputError("scenes: there is none; give a folder of scenes, or a list of them");
+  return some;
 }
 
 void bind_segmenter(py::module_& module) {
@@ -242,8 +267,9 @@ values: (n, k); probabilities: (n,) that the two are of one object, NaN where th
           "The same of pairs that are not neighbours; without rows where the config has no assembly level.")
       .def_property_readonly("milliseconds", &Result::milliseconds, "Time spent in each level.")
       .def("to_dict", &Result::dictionary, "Everything that result.json holds.")
-      .def("save", &Result::save, py::arg("folder"),
-           "Writes labels.png, objects.png, overlay.png, patches.png and result.json: all or none.")
+      .def("save", &Result::save, py::arg("folder"), py::arg("name") = py::none(),
+           "Writes labels.png, objects.png, overlay.png, patches.png and result.json: all or none.\n\n"
+           "name: of a folder in it, where they go instead; data may have given it: no link is followed there.")
       .def("__repr__", &Result::text);
 
   py::class_<PySegmenter>(module, "Segmenter", R"(The segmenter, ready to run; may be used from many threads.
@@ -282,6 +308,11 @@ PluginError when a component fails.)")
 
   module.def("read_scene", &read, py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
              py::arg("depth_scale") = py::none());
+  module.def("check_scene_names", &check_names, py::arg("scenes"),
+             "Raises InputError unless each scene has a name of its own, by which results can go.");
+  module.def("run_identity", &identity, py::arg("config") = py::none(),
+             py::arg("overrides") = std::vector<std::string>{}, py::kw_only(), py::arg("components") = py::none(),
+             "Names what a segmenter is made of by its content: config, model, plugins, this build.");
 }
 
 }  // namespace gestalt::python

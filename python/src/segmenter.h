@@ -50,4 +50,8 @@ ReadOptions read_options(const std::optional<Camera>& camera, std::optional<doub
 /// Texts of one or many.
 std::vector<std::filesystem::path> paths(const py::object& paths);
 
+/// The same of what there must be. Throws InputError for none: nothing can be learnt from it, and its scores would be
+/// perfect.
+std::vector<std::filesystem::path> some_paths(const py::object& paths);
+
 }  // namespace gestalt::python

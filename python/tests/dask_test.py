@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """Many frames and variants on a local cluster, one of whose workers is killed."""
 
+import json
 import os
 import pathlib
 import shutil
@@ -83,6 +84,47 @@ class DaskTest(unittest.TestCase):
     def test_a_config_that_does_not_hold_is_raised(self):
         with self.assertRaises(gestalt.ConfigError):
             gestalt.dask.segment(self.client, [demo], self.work / "none", overrides=["no.such=1"])
+
+    def test_workers_take_the_config_and_model_that_are_there_now(self):
+        config, model = self.work / "mine.yaml", self.work / "model.json"
+        shutil.copy(pathlib.Path(gestalt.data_directory(), "models", "default.json"), model)
+        config.write_text(f"extends: default.yaml\nmodel: {model}\n")
+
+        def patches():
+            outcome = gestalt.dask.segment(self.client, [demo], self.work / "changed", config)[0]
+            return json.loads(pathlib.Path(outcome.folder, "result.json").read_text())
+
+        before = patches()
+        config.write_text(f"extends: default.yaml\nmodel: {model}\ndecision: {{figure_ground: {{separate: false}}}}\n")
+        self.assertNotEqual(patches()["config"]["values"], before["config"]["values"])
+        content = json.loads(model.read_text())
+        forest = content["levels"]["structural"]["state"]
+        leaves = [variable < 0 for variable in forest["variables"]]
+        forest["values"] = [0.25 if leaf else value for leaf, value in zip(leaves, forest["values"])]
+        before = patches()
+        model.write_text(json.dumps(content))
+        probabilities = [[pair["p"] for pair in result["pairs"]] for result in (before, patches())]
+        self.assertNotEqual(*probabilities)
+
+    def test_scenes_of_one_name_are_refused(self):
+        other = self.work / "other" / demo.name
+        shutil.copytree(demo, other)
+        with self.assertRaisesRegex(gestalt.InputError, "has the same name as"):
+            gestalt.dask.segment(self.client, [demo, other], self.work / "twice")
+        self.assertFalse((self.work / "twice").exists())
+
+    def test_a_frame_that_takes_too_long_does_not_stop_the_others(self):
+        outcomes = gestalt.dask.segment(self.client, [demo], self.work / "late", overrides=["time_budget=1"])
+        self.assertIn("time_budget of 1 ms", outcomes[0].error)
+
+    def test_a_link_below_the_output_is_not_followed(self):
+        output, elsewhere = self.work / "linked", self.work / "elsewhere"
+        output.mkdir()
+        elsewhere.mkdir()
+        (output / demo.name).symlink_to(elsewhere)
+        with self.assertRaisesRegex(gestalt.OutputError, "is a link"):
+            gestalt.dask.segment(self.client, [demo], output)
+        self.assertEqual(list(elsewhere.iterdir()), [])
 
     def test_components_in_python_go_to_the_workers(self):
         outcomes = gestalt.dask.segment(

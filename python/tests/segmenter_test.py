@@ -45,6 +45,60 @@ class PipelineTest(unittest.TestCase):
             for name in ("labels.png", "overlay.png", "patches.png"):
                 self.assertEqual(pathlib.Path(out, demo.name, name).read_bytes(), pathlib.Path(out, "saved", name).read_bytes())
 
+    def test_a_result_shares_nothing_that_can_be_changed(self):
+        untouched = self.result.to_dict()
+        for changed in (self.result.to_dict(), {"segments": self.result.segments}):
+            changed["segments"][0]["label"] = "mine"
+            changed["segments"].clear()
+        self.result.patches.clear()
+        self.assertEqual(self.result.to_dict(), untouched)
+
+    def test_a_mask_is_not_left_out(self):
+        masked = numpy.ma.masked_greater(self.scene.depth, 1)
+        with self.assertRaisesRegex(gestalt.InputError, r"depth: is a masked array; give depth\.filled"):
+            self.segmenter(self.scene.colour, masked, self.scene.camera)
+        with self.assertRaisesRegex(gestalt.InputError, "colour: is a masked array"):
+            self.segmenter(numpy.ma.masked_equal(self.scene.colour, 0), self.scene.depth, self.scene.camera)
+        with self.assertRaisesRegex(gestalt.InputError, "labels: is a masked array"):
+            gestalt.score(self.scene.labels, numpy.ma.masked_equal(self.scene.labels, 1))
+        self.segmenter(self.scene.colour, masked.filled(0), self.scene.camera)
+
+    def test_an_error_names_a_path_that_is_no_utf8(self):
+        path = os.fsdecode(b"/no/such/caf\xe9")
+        with self.assertRaisesRegex(gestalt.InputError, path + ".*: "):
+            self.segmenter.segment(path)
+
+    def test_wrong_arguments_are_errors_of_ours(self):
+        with self.assertRaisesRegex(gestalt.InputError, r"colour: .* shape \(0, 0, 3\)"):
+            self.segmenter(numpy.zeros((0, 0, 3), numpy.uint8), self.scene.depth, self.scene.camera)
+        with self.assertRaisesRegex(gestalt.ConfigError, "config: expected a file"):
+            gestalt.Segmenter({"extends": "default.yaml"})
+
+    def test_no_scene_has_no_score(self):
+        for call in (
+            lambda: self.segmenter.evaluate([]),
+            lambda: gestalt.cross_validate([]),
+            lambda: gestalt.train([], "no_model.json"),
+        ):
+            with self.assertRaisesRegex(gestalt.InputError, "scenes: there is none"):
+                call()
+
+    def test_saves_below_a_folder_and_follows_no_link_there(self):
+        with tempfile.TemporaryDirectory() as out:
+            root, elsewhere = pathlib.Path(out, "out"), pathlib.Path(out, "elsewhere")
+            root.mkdir()
+            elsewhere.mkdir()
+            (root / "link").symlink_to(elsewhere)
+            with self.assertRaisesRegex(gestalt.OutputError, "link: is a link"):
+                self.result.save(root, "link")
+            with self.assertRaises(gestalt.OutputError):
+                self.result.save(root, "../elsewhere")
+            self.assertEqual(list(elsewhere.iterdir()), [])
+            self.result.save(root, "frame")
+            self.assertTrue((root / "frame" / "result.json").exists())
+            self.result.save(root / "link")  # that the user named
+            self.assertTrue((elsewhere / "result.json").exists())
+
     def test_parts_of_a_result_fit_each_other(self):
         result = self.result
         labels = set(numpy.unique(result.labels)) - {0}

@@ -84,6 +84,63 @@ TEST_F(Convert, LinksBelowTheOutputFolderAreNotFollowed) {
   EXPECT_EQ(occurrences("test54,", content(out / "test.csv")), 1);
 }
 
+TEST_F(Convert, ALinkInPlaceOfAFolderBelowTheOutputIsNotFollowed) {
+  const fs::path elsewhere = folder.path() / "elsewhere";
+  fs::create_directory(elsewhere);
+  fs::create_directory(out);
+  fs::create_directory_symlink(elsewhere, out / "learn");
+  for (const char* format : {"scene", "npz"}) {
+    const Outcome outcome = convert(release, "osd", {"--camera", camera, "--to", format});
+    EXPECT_EQ(outcome.code, 1);
+    EXPECT_EQ(occurrences("out/learn: is a link", outcome.err), 1) << outcome.err;
+  }
+  EXPECT_EQ(files_below(elsewhere), Texts{});
+  fs::remove(out / "learn");
+  fs::create_directory_symlink(elsewhere, folder.path() / "named");  // by the user: that is followed
+  expect_success(run_gestalt({"convert", release, "--output", folder.path() / "named", "--camera", camera}));
+  EXPECT_TRUE(fs::exists(elsewhere / "learn" / "learn25" / "depth.png"));
+}
+
+/// A sequence of TUM whose depth images have these names.
+fs::path tum_sequence(const TemporaryFolder& folder, const Texts& depth) {
+  std::string colours, depths;
+  for (std::size_t i = 0; i < depth.size(); ++i) {
+    const std::string colour = "rgb/" + std::to_string(i) + ".png";
+    colours += std::to_string(i) + " " + colour + "\n";
+    depths += std::to_string(i) + " " + depth[i] + "\n";
+    for (const std::string& file : {colour, depth[i]})
+      fs::create_directories((folder.path() / "tum" / file).parent_path());
+    write_image(folder.path() / "tum" / colour, cv::Mat(small_wall().size(), CV_8UC3, cv::Scalar(9, 8, 7)));
+    write_image(folder.path() / "tum" / depth[i], small_wall());
+  }
+  folder.write("tum/rgb.txt", colours);
+  folder.write("tum/depth.txt", depths);
+  return folder.path() / "tum";
+}
+
+TEST_F(Convert, ScenesOfOneNameAreRefused) {
+  expect_refused(convert(tum_sequence(folder, {"a/1.png", "b/1.png"}), "tum", {"--camera", camera}), 3,
+                 {"b/1.png: has the same name as ", "a/1.png, '1'", "rename one"});
+  expect_refused(convert(tum_sequence(folder, {"a/1.png", "a/1.png"}), "tum", {"--camera", camera}), 3,
+                 {"a/1.png: is there twice"});
+  expect_refused(convert(tum_sequence(folder, {"a/...png"}), "tum", {"--camera", camera}), 3,
+                 {"...png: has the name '..'", "rename it"});
+  for (const char* sequence : {"ocid/a_b/c", "ocid/a/b_c"}) {
+    for (const char* kind : {"depth", "label", "rgb"}) fs::create_directories(folder.path() / sequence / kind);
+    write_image(folder.path() / sequence / "depth" / "1.png", small_wall());
+    write_image(folder.path() / sequence / "label" / "1.png", small_wall());
+    write_image(folder.path() / sequence / "rgb" / "1.png", cv::Mat(small_wall().size(), CV_8UC3, cv::Scalar(9, 8, 7)));
+  }
+  expect_refused(convert(folder.path() / "ocid", "ocid", {"--camera", camera}), 3,
+                 {"has the same name as ", "a_b_c_1"});
+  folder.write("bop/scene_camera.json", R"({"0": {"cam_K": [75,0,39.5,0,75,29.5,0,0,1]},
+                                           "000000": {"cam_K": [75,0,39.5,0,75,29.5,0,0,1]}})");
+  fs::create_directories(folder.path() / "bop" / "depth");
+  write_image(folder.path() / "bop" / "depth" / "000000.png", small_wall());
+  expect_refused(convert(folder.path() / "bop", "bop"), 3, {"000000.png: is there twice"});
+  EXPECT_FALSE(fs::exists(out));
+}
+
 TEST_F(Convert, BadInputIsRefused) {
   expect_refused(convert(folder.path(), "osd"), 3, {"disparity", "OSD release"});
   expect_refused(convert(folder.path() / "nowhere", "pcd"), 3, {"nowhere", "does not exist"});

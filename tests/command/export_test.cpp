@@ -217,7 +217,7 @@ TEST_F(Export, NamesThePlaceOfEveryDamage) {
 TEST_F(Export, RefusesWhatIsNoResult) {
   expect_refused(run(""), 3, {"result.json", "empty"});
   expect_refused(run("{"), 3, {"result.json", "JSON"});
-  expect_refused(run(stored_result().substr(0, stored_result().size() / 2)), 3, {"result.json", "JSON", "byte"});
+  expect_refused(run(stored_result().substr(0, stored_result().size() / 2)), 3, {"result.json:", "JSON"});
   expect_refused(run("[1, 2]"), 3, {"result.json", "gestalt-result"});
   expect_refused(run("{\"format\": \"gestalt-result\", \"version\": 1e999}"), 3, {"result.json"});
   expect_refused(run_gestalt({"export", folder.path() / "none.json", "--output", mesh}), 3, {"none.json", "not exist"});
@@ -245,6 +245,20 @@ TEST_F(Export, RefusesWhatWouldTakeForever) {
   expect_refused(run(result.dump(), {"--all", "--tolerance", "0.01"}), 3,
                  {"result.json", "patches[" + std::to_string(bspline) + "]", "larger tolerance"});
   EXPECT_FALSE(fs::exists(mesh));
+}
+
+TEST_F(Export, TheExtensionTellsTheFormat) {
+  const fs::path result = folder.write("result.json", stored_result());
+  for (const auto& [name, begin] : {std::pair{"a.obj", "# metres"},
+                                    {"a.OBJ", "# metres"},
+                                    {"a.json", "{\"format\":"},
+                                    {"a.ply", "ply\n"},
+                                    {"a.mesh", "ply\n"}}) {
+    EXPECT_EQ(run_gestalt({"export", result, "--output", folder.path() / name}).code, 0);
+    EXPECT_TRUE(content(folder.path() / name).starts_with(begin)) << name;
+  }
+  EXPECT_EQ(run_gestalt({"export", result, "--output", folder.path() / "b.obj", "--format", "ply"}).code, 0);
+  EXPECT_TRUE(content(folder.path() / "b.obj").starts_with("ply\n"));
 }
 
 TEST_F(Export, RefusesWrongUsage) {

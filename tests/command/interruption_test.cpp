@@ -136,14 +136,100 @@ TEST_F(Interrupted, ResumingSeesThatAFileOfTheSceneIsGone) {
   EXPECT_EQ(left_alone(), 3);
 }
 
-TEST_F(Interrupted, ResumingDoesAgainWhatIsIncompleteOrOlderThanItsScene) {
+TEST_F(Interrupted, ResumingDoesAgainWhatIsIncomplete) {
   expect_success(segment());
   fs::remove(out / names[0] / "overlay.png");
   truncate(out / names[1] / "result.json", 0.5);
-  fs::last_write_time(scenes / names[2] / "depth.png", fs::file_time_type::clock::now() + std::chrono::hours(1));
-  EXPECT_EQ(left_alone(), 1);
-  EXPECT_EQ(left_alone(), 3) << "the scene from the future is done again";
+  EXPECT_EQ(left_alone(), 2);
+  EXPECT_EQ(left_alone(), 4);
   expect_results_of_an_undisturbed_run();
+}
+
+/// A file of a scene takes the place of another's, with the time of long ago, as rsync, tar and `cp -p` have it.
+void replace(const fs::path& file, const fs::path& by) {
+  fs::remove(file);
+  fs::copy(by, file);
+  fs::last_write_time(file, fs::file_time_type::clock::now() - std::chrono::hours(24 * 365));
+}
+
+TEST_F(Interrupted, ResumingGoesByContentNotByTimes) {
+  expect_success(segment());
+  for (const char* file : {"depth.png", "rgb.png"})
+    fs::last_write_time(scenes / names[0] / file, fs::file_time_type::clock::now() + std::chrono::hours(1));
+  EXPECT_EQ(left_alone(), 4) << "a time alone is no change";
+  replace(scenes / names[1] / "depth.png", scenes / names[2] / "depth.png");
+  EXPECT_EQ(left_alone(), 3);
+  EXPECT_EQ(left_alone(), 4);
+
+  // A nearer camera, and one that is changed.
+  replace(scenes / names[3] / "camera.yaml", scenes / "camera.yaml");
+  EXPECT_EQ(left_alone(), 3) << "the same camera, but a file more";
+  const std::string camera = content(scenes / "camera.yaml");
+  replace(scenes / names[3] / "camera.yaml", folder.write("nearer.yaml", camera + "# of another day\n"));
+  EXPECT_EQ(left_alone(), 3);
+  replace(scenes / "camera.yaml", folder.path() / "nearer.yaml");
+  EXPECT_EQ(left_alone(), 1) << "of the one that has its own";
+}
+
+TEST_F(Interrupted, ResumingSeesWhereALinkLeads) {
+  const fs::path linked = folder.path() / "linked";
+  fs::create_directory(linked);
+  fs::copy(scenes / "camera.yaml", linked);
+  const auto lead = [&](int scene) {
+    fs::remove(linked / "a");
+    fs::create_directory_symlink(scenes / names[std::size_t(scene)], linked / "a");
+  };
+  const auto resume = [&] {
+    const Outcome outcome = run_gestalt({"segment", linked / "a", "--output", out, "--resume"});
+    expect_success(outcome);
+    return occurrences("is there already", outcome.out);
+  };
+  lead(0);
+  EXPECT_EQ(resume(), 0);
+  EXPECT_EQ(resume(), 1);
+  lead(1);
+  EXPECT_EQ(resume(), 0);
+  fs::create_symlink(linked / "nowhere", scenes / names[1] / "notes");
+  EXPECT_EQ(resume(), 1) << "a link to nowhere has no content";
+}
+
+TEST_F(Interrupted, ResumingKnowsResultsInTheScenesOwnFolders) {
+  const auto resume = [&](const Texts& more) {
+    const Outcome outcome = run_gestalt(joined({"segment", scenes, "--output", scenes, "--resume"}, more));
+    expect_success(outcome);
+    return occurrences("is there already", outcome.out);
+  };
+  EXPECT_EQ(resume({}), 0);
+  EXPECT_EQ(resume({}), 4);
+  EXPECT_EQ(resume({"--also", "ply", "--debug-images"}), 0);
+  EXPECT_EQ(resume({}), 4);
+}
+
+TEST_F(Interrupted, ResumingKnowsScenesWhosePathIsNoUtf8) {
+  const fs::path scene = folder.path() / "caf\xe9" / "sc\xe8ne";
+  fs::create_directory(scene.parent_path());
+  fs::copy(scenes / names[0], scene);
+  fs::copy(scenes / "camera.yaml", scene);
+  const Texts command{"segment", scene, "--output", out, "--resume"};
+  expect_success(run_gestalt(command));
+  EXPECT_EQ(occurrences("is there already", run_gestalt(command).out), 1);
+}
+
+TEST_F(Interrupted, ResumingSeesThatAPluginWasBuiltAnew) {
+  const fs::path built = fs::path(BROKEN_PLUGINS) / "misbehaving" / "misbehaving.so", mine = folder.path() / "plugins";
+  fs::create_directory(mine);
+  fs::copy(built, mine);
+  const auto resume = [&] {
+    const Outcome outcome = run_gestalt({"segment", scenes / names[0], "--output", out, "--resume", "--set",
+                                         "decision.solver=misbehaving", "--set", "decision.solver.params.how=linger"},
+                                        {.variables = {"GESTALT_PLUGIN_PATH=" + mine.string()}});
+    expect_success(outcome);
+    return occurrences("is there already", outcome.out);
+  };
+  EXPECT_EQ(resume(), 0);
+  EXPECT_EQ(resume(), 1);
+  std::ofstream(mine / built.filename(), std::ios::app) << "of another build";
+  EXPECT_EQ(resume(), 0);
 }
 
 TEST_F(Interrupted, AFullDiskLeavesNoPartOfAResult) {

@@ -57,6 +57,12 @@ TEST_F(Misbehaving, WhoAllocatesWithoutEndIsAnErrorUnderALimit) {
 }
 #endif
 
+TEST_F(Misbehaving, WhoEndsTheProcessFails) {
+  for (const char* how : {"exit", "quick_exit", "exit_elsewhere"})
+    expect_refused(segment_with(how), 1, {"exit() was called while solver 'misbehaving' was at work"});
+  EXPECT_EQ(files_below(out), Texts{});
+}
+
 // A sanitizer has a report of its own for these.
 #ifndef GESTALT_UNDER_SANITIZER
 TEST_F(Misbehaving, WhatEndsTheProcessIsNamed) {

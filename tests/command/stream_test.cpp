@@ -169,6 +169,26 @@ TEST_F(StreamCommand, EndsWhenNoFrameHasComeForSomeTime) {
   expect_frames(stream({synthetic_scenes(), "--follow", "--idle", "0.1"}), all_names, 0);
 }
 
+// "scene_1" may be what was written of "scene_10".
+TEST_F(StreamCommand, ALineThatIsCutOffIsNoName) {
+  const std::string whole = paths({0}), cut = whole + synthetic_scene(1).string();
+  const fs::path pipe = folder.path() / "pipe";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  std::thread writer([&] { std::ofstream(pipe) << cut; });
+  const Outcome outcome = stream({pipe});
+  writer.join();
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(names_of(lines_of(outcome)), Texts{all_names[0]});
+  EXPECT_EQ(occurrences("pipe:2: the line '" + synthetic_scene(1).string() + "' has no end", outcome.err), 1)
+      << outcome.err;
+  expect_frames(stream({folder.write("list", cut)}), {all_names[0], all_names[1]}, 0);
+}
+
+TEST_F(StreamCommand, ALineWithANulIsNoName) {
+  const fs::path list = folder.write("list", synthetic_scene(0).string() + std::string(1, '\0') + "x\n");
+  EXPECT_EQ(stream({list}).code, 3);
+}
+
 TEST_F(StreamCommand, NothingToDoIsNoError) {
   const Outcome outcome = stream({folder.write("empty.txt", "")});
   EXPECT_EQ(outcome.code, 0);

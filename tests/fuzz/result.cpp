@@ -12,7 +12,8 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
   using namespace gestalt::fuzz;
   static const Scratch scratch;
   return expect_result_or_error([&] {
+    TriangulationBudget budget;
     for (const TrimmedSurface& surface : read_result(scratch.write("result.json", text_of(data, size))).patches)
-      expect_result_or_error([&] { triangulate(surface, 0.001); });
+      expect_result_or_error([&] { triangulate(surface, 0.001, budget); });
   });
 }

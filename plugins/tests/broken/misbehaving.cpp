@@ -22,7 +22,8 @@ class Misbehaving final : public gestalt::Solver {
   static const gestalt::Parameters<Params>& parameters() {
     static const auto declared = gestalt::Parameters<Params>().choice(
         "how", &Params::how,
-        {"throw", "throw_number", "no_memory", "allocate", "segmentation_fault", "abort", "recurse", "linger", "hang"},
+        {"throw", "throw_number", "no_memory", "allocate", "segmentation_fault", "abort", "recurse", "exit",
+         "quick_exit", "exit_elsewhere", "linger", "hang"},
         "what it does");
     return declared;
   }
@@ -38,6 +39,9 @@ class Misbehaving final : public gestalt::Solver {
     if (how_ == "hang") std::this_thread::sleep_for(std::chrono::hours(24));
     if (how_ == "linger" || how_ == "hang") return std::vector<int>(graph.sizes.size(), 0);
     if (how_ == "abort") std::abort();
+    if (how_ == "exit") std::exit(0);
+    if (how_ == "quick_exit") std::quick_exit(0);
+    if (how_ == "exit_elsewhere") std::thread([] { std::exit(0); }).join();
     if (how_ == "recurse") return {deeper(int(graph.sizes.size()))};
     std::raise(SIGSEGV);
     return {};
