@@ -17,9 +17,16 @@ namespace {
 const std::map<std::string, DepthKind> depth_kinds{
     {"plain", DepthKind::plain}, {"radial", DepthKind::radial}, {"rotated", DepthKind::rotated}};
 
-std::vector<std::string> names_of_depth_kinds() {
+/// "parts" is what --labels of convert called it first.
+const std::map<std::string, LabelScheme> label_schemes{{"osd", LabelScheme::osd},
+                                                       {"parts", LabelScheme::osd},
+                                                       {"objects", LabelScheme::objects},
+                                                       {"colours", LabelScheme::colours}};
+
+template <class Value>
+std::vector<std::string> names_of(const std::map<std::string, Value>& named) {
   std::vector<std::string> names;
-  for (const auto& [name, kind] : depth_kinds) names.push_back(name);
+  for (const auto& [name, value] : named) names.push_back(name);
   return names;
 }
 
@@ -49,8 +56,16 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
           "--depth-kind", [&](const std::string& name) { options.depth_kind = depth_kinds.at(name); },
           "What depth is: plain, along the optical axis (the default); radial, the distance from the camera; rotated, "
           "16 bits rotated by three as in SUN RGB-D")
-      ->check(CLI::IsMember(names_of_depth_kinds()))
+      ->check(CLI::IsMember(names_of(depth_kinds)))
       ->type_name("KIND");
+  command
+      .add_option_function<std::string>(
+          "--labels", [&](const std::string& name) { options.labels = label_schemes.at(name); },
+          "What ground truth counts (default: guessed where that is certain): osd, 0 ignored, 1 to 9 background, 20 to "
+          "29 the first object, ...; objects, 0 background, every other number an object; colours, the commonest is "
+          "background")
+      ->check(CLI::IsMember(names_of(label_schemes)))
+      ->type_name("SCHEME");
 }
 
 ReadOptions read_options(const ReadingOptions& options) {
@@ -58,6 +73,7 @@ ReadOptions read_options(const ReadingOptions& options) {
   if (!options.camera.empty()) read.camera = read_camera(options.camera);
   read.depth_scale = options.depth_scale;
   read.depth_kind = options.depth_kind;
+  read.labels = options.labels;
   return read;
 }
 

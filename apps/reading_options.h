@@ -11,12 +11,13 @@
 
 namespace gestalt::app {
 
-/// What a user tells of his scenes: --camera, --unit or --depth-scale, --depth-kind. Every command that reads scenes
-/// has them.
+/// What a user tells of his scenes: --camera, --unit or --depth-scale, --depth-kind, --labels. Every command that reads
+/// scenes has them.
 struct ReadingOptions {
   std::filesystem::path camera;  ///< empty: that of each scene
   std::optional<double> depth_scale;
   DepthKind depth_kind = DepthKind::plain;
+  LabelScheme labels = LabelScheme::guess;
 };
 
 void add_reading_options(CLI::App& command, ReadingOptions& options);

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <algorithm>
+#include <iostream>
 #include <map>
 #include <memory>
 #include <mutex>
@@ -31,7 +32,6 @@ struct Options {
   fs::path input;
   std::string from;          ///< empty: guessed
   std::string to = "scene";  ///< one of scene_formats()
-  std::string labels;        ///< empty: parts
   fs::path output;
   ReadingOptions reading;
 };
@@ -82,11 +82,9 @@ std::vector<SourceScene> own_scenes(const Options& options, const ReadOptions& r
     if (kind != options.from)
       throw InputError(path.string() + ": is " + (kind == "scene" ? "a scene folder already" : "no " + options.from) +
                        "; give only what --from says");
-    const LabelKind labels = options.labels == "objects" ? LabelKind::objects : LabelKind::parts;
     const bool labelled = options.from == "pcd";
     scenes.push_back({path, scene_name(path), [=] {
-                        return labelled ? read_labelled_cloud(path, labels, read)
-                                        : converted(read_and_warn(path, read));
+                        return labelled ? read_labelled_cloud(path, read) : converted(read_and_warn(path, read));
                       }});
   }
   return scenes;
@@ -160,6 +158,7 @@ int convert(Options options) {
   const int code = for_each_scene(paths, [&](const fs::path& path) {
     const SourceScene& source = *by_path.at(path);
     const ConvertedScene scene = source.read();
+    for (const std::string& warning : scene.warnings) std::cerr << "gestalt: warning: " + warning + "\n";
     const auto [set, category] = osd_scene(source.name);
     const fs::path place = write(options, set, source.name, scene);
     if (!category.empty()) {
@@ -203,11 +202,6 @@ void add_convert(CLI::App& app, Run& run) {
       ->check(CLI::IsMember(targets))
       ->capture_default_str();
   command
-      ->add_option("--labels", options->labels,
-                   "What labels of clouds count: parts (1 to 9 background, 20 to 29 the first object, ...; the "
-                   "default) or objects (0 background, 1 the first object, ..., as in the clouds of OSD 0.2)")
-      ->check(CLI::IsMember({"parts", "objects"}));
-  command
       ->add_option("--output", options->output,
                    "Folder for learn/<scene>/{rgb,depth,label}.png and camera.yaml, learn.csv with the categories, and "
                    "the same for test; scenes whose name is neither learnN nor testN go to scenes/")
@@ -220,11 +214,7 @@ void add_convert(CLI::App& app, Run& run) {
       "         gestalt reproduce osd --output report\n"
       "         gestalt convert rgbd_dataset_freiburg1_desk --from tum --output desk\n"
       "         gestalt convert scenes --from scene --to npz --output arrays");
-  command->callback([options, &run] {
-    if (options->from != "pcd" && !options->labels.empty())
-      throw CLI::ValidationError("--labels", "is for --from pcd; the annotation of other layouts has one meaning");
-    run = [options] { return convert(*options); };
-  });
+  command->callback([options, &run] { run = [options] { return convert(*options); }; });
 }
 
 const Subcommand subcommand(80, add_convert);

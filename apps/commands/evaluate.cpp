@@ -4,6 +4,7 @@
 #include "gestalt/evaluation/score/evaluation.h"
 
 #include <algorithm>
+#include <atomic>
 #include <cstdint>
 #include <exception>
 #include <filesystem>
@@ -107,6 +108,7 @@ class Evaluation {
 
   void score(std::size_t scene, const Labels& ground_truth, const Labels& labels) {
     scores[scene] = score_image(ground_truth, labels, options_.regions());
+    objects_ += count_objects(ground_truth);
   }
 
   void score(std::size_t scene, const Labels& ground_truth, const Segmentation& segmentation) {
@@ -129,6 +131,10 @@ class Evaluation {
     }
     if (scored.empty()) std::rethrow_exception(failures_.front());
     print_failures();
+    if (objects_ == 0)
+      throw InputError(
+          "the ground truth of no scene has an object, so that there is nothing to score; if the numbers of "
+          "its labels count objects, give --labels objects");
     const std::vector<ScoreRow> table = with_mean(summarise(scored, their_rows));
     if (options_.json) {
       print_json(table, pairs);
@@ -170,6 +176,7 @@ class Evaluation {
 
   const Options& options_;
   std::vector<std::exception_ptr> failures_;
+  std::atomic<std::int64_t> objects_ = 0;  ///< of all ground truth
 };
 
 int score_predictions(const Options& options) {

@@ -71,6 +71,7 @@ void add_scene(Description& description, const Input& input, const std::string& 
   if (!input.notes.empty()) description["notes"] = input.notes;
   if (!input.point_pixels.empty())
     description["points_outside_image"] = std::count(input.point_pixels.begin(), input.point_pixels.end(), -1);
+  if (!input.ground_truth_problem.empty()) description["labels_problem"] = input.ground_truth_problem;
   if (!input.ground_truth.empty()) description["labels"] = describe_labels(input.ground_truth);
   description["camera"] = describe_camera(frame.camera);
   description["camera_from"] = camera_source;

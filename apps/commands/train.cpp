@@ -1,6 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <algorithm>
 #include <iomanip>
 #include <iostream>
 
@@ -11,6 +12,7 @@
 #include "gestalt/core/base/for_all.h"
 #include "gestalt/core/base/output_file.h"
 #include "gestalt/core/pipeline/learning_set.h"
+#include "gestalt/io/scene/ground_truth.h"
 #include "gestalt/io/scene/input.h"
 
 namespace gestalt::app::train_command {
@@ -26,10 +28,7 @@ struct Options {
 
 LearningScene perceive(const Pipeline& pipeline, const std::filesystem::path& scene, const ReadOptions& read) {
   const Input input = read_and_warn(scene, read);
-  if (input.ground_truth.empty())
-    throw InputError(scene.string() +
-                     ": has no ground truth; training needs a label.png, or a cloud with labels, for every scene");
-  return make_learning_scene(pipeline, input.frame, input.ground_truth);
+  return make_learning_scene(pipeline, input.frame, require_ground_truth(input));
 }
 
 void print_model(const Model& model, Level level) {
@@ -53,6 +52,12 @@ int train(const Options& options) {
   std::vector<LearningScene> perceived(scenes.size());
   for_all(scenes.size(), [&](std::size_t i) { perceived[i] = perceive(pipeline, scenes[i], read); });
 
+  if (std::ranges::none_of(perceived, [](const LearningScene& scene) {
+        return std::ranges::any_of(scene.objects, [](int object) { return object > 1; });
+      }))
+    throw InputError(
+        "the ground truth of no scene has an object; if the numbers of its labels count objects, give "
+        "--labels objects");
   std::vector<const LearningScene*> all;
   all.reserve(perceived.size());
   for (const LearningScene& scene : perceived) all.push_back(&scene);

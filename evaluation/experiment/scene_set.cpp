@@ -40,6 +40,7 @@ std::string text_of(const ReadOptions& read) {
   if (read.camera) text += "camera " + content_hash(read_bytes(read.camera->file, any_size)) + "\n";
   if (read.depth_scale) text += "depth_scale " + std::to_string(*read.depth_scale * 1e9) + "\n";
   if (read.depth_kind != DepthKind::plain) text += "depth_kind " + std::to_string(int(read.depth_kind)) + "\n";
+  if (read.labels != LabelScheme::guess) text += "labels " + std::to_string(int(read.labels)) + "\n";
   return text;
 }
 

@@ -9,6 +9,7 @@
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
 #include "gestalt/evaluation/score/evaluation.h"
+#include "gestalt/io/scene/ground_truth.h"
 #include "gestalt/io/scene/png_file.h"
 
 namespace gestalt {
@@ -57,11 +58,14 @@ std::map<std::string, std::string> read_categories(const std::filesystem::path& 
 }
 
 cv::Mat_<std::uint16_t> read_ground_truth(const std::filesystem::path& scene, const ReadOptions& options) {
-  if (!std::filesystem::is_directory(scene)) return scored_ground_truth(read_scene(scene, options));
-  cv::Mat_<std::uint16_t> labels = read_label_image(scene / "label.png");
-  const cv::Mat_<std::uint16_t> depth = read_label_image(scene / "depth.png");
-  if (labels.size() != depth.size())
-    throw InputError(scene.string() + ": label.png and depth.png differ in size; they must be of one camera image");
+  // Of a scene folder without its camera and colour, which scores do not need.
+  std::error_code error;
+  if (!std::filesystem::exists(scene / "depth.png", error)) return scored_ground_truth(read_scene(scene, options));
+  const cv::Mat_<std::uint16_t> depth = read_depth_png(scene / "depth.png");
+  Input input;
+  input.path = scene;
+  read_ground_truth_beside(input, scene, depth != 0, options.labels);
+  cv::Mat_<std::uint16_t> labels = require_ground_truth(input);
   labels.setTo(0, depth == 0);
   return labels;
 }
@@ -88,10 +92,7 @@ cv::Mat_<std::uint16_t> read_prediction(const std::filesystem::path& folder, con
 }
 
 cv::Mat_<std::uint16_t> scored_ground_truth(const Input& input) {
-  if (input.ground_truth.empty())
-    throw InputError(input.path.string() +
-                     ": has no ground truth to score against; give scenes with a label.png or clouds with labels");
-  cv::Mat_<std::uint16_t> labels = input.ground_truth.clone();
+  cv::Mat_<std::uint16_t> labels = require_ground_truth(input).clone();
   labels.setTo(0, input.frame.depth == 0);
   return labels;
 }

@@ -131,6 +131,7 @@ ConvertedScene read_bop_image(const BopImage& image, const ReadOptions& options)
     throw InputError((image.scene / "rgb" / (name + ".png")).string() +
                      ": does not exist, nor is there one in gray/; images must be PNG");
   scene.images = read_images(image.depth, colour, scene.camera);
+  question(scene, image.depth, options);
   const fs::path masks = image.scene / "mask_visib";
   if (const auto objects = read_masks(masks, name, size)) {
     scene.images.label = labels_from(masks, *objects, scene.images.depth);

@@ -139,7 +139,7 @@ TEST(LabelledClouds, KeepOurLabelsAndCountOthers) {
   const CameraFile camera(Camera{2, 2, 1, 1, 0.5, 0.5});
   std::string text = cloud("1 20 30 30");
   text.replace(text.find("70 30"), 2, "2 ");
-  const ConvertedScene ours = read_labelled_cloud(folder.write("a.pcd", text), LabelKind::parts, camera);
+  const ConvertedScene ours = read_labelled_cloud(folder.write("a.pcd", text), camera);
   EXPECT_EQ(cv::norm(ours.images.label, image(2, 2, {1, 20, 30, 30}), cv::NORM_INF), 0);
   EXPECT_EQ(cv::norm(ours.images.depth, image(2, 2, {1000, 1000, 1001, 2000}), cv::NORM_INF), 0);
   EXPECT_TRUE(ours.images.colour.empty());
@@ -148,15 +148,21 @@ TEST(LabelledClouds, KeepOurLabelsAndCountOthers) {
   text = cloud("0 1 2 2");
   text.replace(text.find("70 2"), 2, "2 ");
   const fs::path file = folder.write("b.pcd", text);
-  EXPECT_THROW(read_labelled_cloud(file, LabelKind::parts, camera), InputError);  // would be all background
-  const ConvertedScene counted = read_labelled_cloud(file, LabelKind::objects, camera);
-  EXPECT_EQ(cv::norm(counted.images.label, image(2, 2, {1, 20, 30, 30}), cv::NORM_INF), 0);
+  for (const LabelScheme scheme : {LabelScheme::guess, LabelScheme::objects}) {
+    ReadOptions options(camera);
+    options.labels = scheme;
+    const ConvertedScene counted = read_labelled_cloud(file, options);
+    EXPECT_EQ(cv::norm(counted.images.label, image(2, 2, {1, 20, 30, 30}), cv::NORM_INF), 0);
+  }
+  ReadOptions osd(camera);
+  osd.labels = LabelScheme::osd;
+  EXPECT_THROW(read_labelled_cloud(file, osd), InputError);  // would be all background
 }
 
 TEST(LabelledClouds, BeyondSixteenBitsOfMillimetresAreRefused) {
   const TemporaryFolder folder;
   const CameraFile camera(Camera{2, 2, 1, 1, 0.5, 0.5});
-  EXPECT_THROW(read_labelled_cloud(folder.write("a.pcd", cloud("1 20 30 30")), LabelKind::parts, camera), InputError);
+  EXPECT_THROW(read_labelled_cloud(folder.write("a.pcd", cloud("1 20 30 30")), camera), InputError);
 }
 
 TEST(LabelledClouds, WithoutLabelsAreRefused) {
@@ -164,9 +170,7 @@ TEST(LabelledClouds, WithoutLabelsAreRefused) {
   std::string text = cloud("1 1 1 1");
   text.replace(text.find("label"), 5, "other");
   text.replace(text.find("70 1"), 2, "2 ");
-  EXPECT_THROW(
-      read_labelled_cloud(folder.write("a.pcd", text), LabelKind::parts, CameraFile(Camera{2, 2, 1, 1, 0.5, 0.5})),
-      InputError);
+  EXPECT_THROW(read_labelled_cloud(folder.write("a.pcd", text), CameraFile(Camera{2, 2, 1, 1, 0.5, 0.5})), InputError);
 }
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "gestalt/core/base/error.h"
+#include "gestalt/io/scene/depth_plausibility.h"
 #include "gestalt/io/scene/natural_order.h"
 #include "gestalt/io/scene/png_file.h"
 
@@ -44,6 +45,16 @@ SceneImages read_images(const fs::path& depth, const fs::path& colour, const Cam
 double scale_of(const ReadOptions& options, double of_layout) {
   if (options.depth_scale) return *options.depth_scale;
   return options.camera ? options.camera->depth_scale.value_or(of_layout) : of_layout;
+}
+
+void question(ConvertedScene& scene, const fs::path& depth, const ReadOptions& options) {
+  scene.images.depth.setTo(0, scene.images.depth == 65535);  // "no measurement" with many
+  const bool told = options.depth_scale || (options.camera && options.camera->depth_scale);
+  DepthReading reading{depth_in_metres(scene.images.depth, scene.depth_scale),
+                       {scene.depth_scale, told ? "as told" : "as the layout has it", told},
+                       true,
+                       DepthKind::plain};
+  question_depth(depth.string(), reading, scene.camera, scene.warnings);
 }
 
 cv::Mat_<std::uint16_t> read_labels(const fs::path& file, cv::Size size) {

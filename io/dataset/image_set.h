@@ -7,6 +7,7 @@
 #include <vector>
 
 #include "gestalt/core/scene/frame.h"
+#include "gestalt/io/scene/converted_scene.h"
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/scene_folder.h"
 
@@ -18,6 +19,9 @@ SceneImages read_images(const std::filesystem::path& depth, const std::filesyste
 
 /// Metres per unit of depth: what the options tell, by themselves or by their camera, else what the layout has.
 double scale_of(const ReadOptions& options, double of_layout);
+
+/// Asks whether the depth of a scene, whose depth_scale is set, can be what it was read as (question_depth()).
+void question(ConvertedScene& scene, const std::filesystem::path& depth, const ReadOptions& options);
 
 /// An image of labels of the same size as depth, as it is.
 cv::Mat_<std::uint16_t> read_labels(const std::filesystem::path& file, cv::Size size);

@@ -10,15 +10,8 @@
 
 namespace gestalt {
 
-/// What the labels of other data count.
-enum class LabelKind {
-  parts,   ///< as ours do: object_of_label()
-  objects  ///< 0 what is no object, 1 the first object, 2 the second, ... (OSD 0.2)
-};
-
 /// Reads a PCD file with labels as read_scene() does; its colour may be missing. Throws InputError, also for labels
 /// that name no object.
-GESTALT_EXPORT ConvertedScene read_labelled_cloud(const std::filesystem::path& file, LabelKind labels,
-                                                  const ReadOptions& options = {});
+GESTALT_EXPORT ConvertedScene read_labelled_cloud(const std::filesystem::path& file, const ReadOptions& options = {});
 
 }  // namespace gestalt

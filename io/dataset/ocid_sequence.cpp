@@ -79,6 +79,7 @@ ConvertedScene read_ocid_frame(const OcidFrame& frame, const ReadOptions& option
     scene.camera = read_scene(cloud).frame.camera;
   }
   scene.images = read_images(frame.depth, frame.sequence / "rgb" / image, scene.camera);
+  question(scene, frame.depth, options);
   const fs::path label = frame.sequence / "label" / image;
   const std::string place = fs::absolute(frame.sequence).string();
   const bool on_table = place.find("table") != place.npos;

@@ -82,6 +82,7 @@ ConvertedScene read_osd_scene(const fs::path& release, const std::string& name, 
   scene.depth_scale = scale_of(options, 0.001);
   scene.camera = options.camera ? options.camera->camera : osd_camera;
   scene.images = read_images(depth, colour, scene.camera);
+  question(scene, depth, options);
   scene.images.label = labels_from(annotation, read_labels(annotation, scene.images.depth.size()), scene.images.depth);
   scene.objects = count_objects(scene.images.label);
   return scene;

@@ -95,6 +95,7 @@ ConvertedScene read_tum_frame(const TumFrame& frame, const ReadOptions& options)
   scene.camera = options.camera ? options.camera->camera : tum_camera;
   scene.depth_scale = scale_of(options, tum_depth_scale);
   scene.images = read_images(frame.depth, frame.colour, scene.camera);
+  question(scene, frame.depth, options);
   return scene;
 }
 

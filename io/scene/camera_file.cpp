@@ -119,6 +119,10 @@ CameraFile read_camera(const fs::path& file) {
   CameraFile result;
   if (numbers.has("depth_scale"))
     result.depth_scale = numbers.read("depth_scale", 1e-6, 1.0, "metres per unit of depth.png, 0.001 for millimetres");
+  // camera.json of BOP has the same keys, but millimetres for each unit: 1, 0.1, ... No depth of 16 bits has
+  // centimetres.
+  constexpr double coarsest = 0.01;
+  if (root.Style() == YAML::EmitterStyle::Flow && result.depth_scale >= coarsest) *result.depth_scale /= 1000;
   if (width && height && std::int64_t{*width} * *height > most_pixels)
     numbers.complain({}, "width x height is more than 2^26 pixels; such images cannot be read");
   numbers.check();

@@ -52,7 +52,6 @@ class Reader {
                      ": " + what);
   }
 
- private:
   double number(const YAML::Node& node) const {
     const std::string text = node.IsScalar() ? node.Scalar() : "";
     double value = 0;
@@ -62,6 +61,7 @@ class Reader {
     return value;
   }
 
+ private:
   const fs::path& file_;
   const YAML::Node& root_;
 };
@@ -92,6 +92,12 @@ CameraFile read_camera_info(const fs::path& file, const YAML::Node& root) {
       std::int64_t{c.width} * c.height > most_pixels)
     reader.fail(any_of(root, {"camera_matrix", "K", "k"}),
                 "the focal lengths must be from 0.01 to 1e7 pixels, and the principal point in an image of up to 2^26");
+  // No key of ROS, but one of our camera files.
+  if (const YAML::Node scale = root["depth_scale"]) {
+    result.depth_scale = reader.number(scale);
+    if (!(*result.depth_scale >= 1e-6 && *result.depth_scale <= 1))
+      reader.fail(scale, "depth_scale must be from 1e-06 to 1, metres per unit");
+  }
   result.file = file;
   return result;
 }

@@ -10,6 +10,7 @@
 #include "camera_fit.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/scene/depth_reading.h"
+#include "gestalt/io/scene/ground_truth.h"
 #include "gestalt/io/scene/labelled_files.h"
 #include "gestalt/io/scene/pcd_header.h"
 #include "point_cloud.h"
@@ -50,12 +51,13 @@ void check_fit(const CameraFile& found, const fs::path& file, const PointCloud& 
                      "--camera");
 }
 
-Input read_organized(const fs::path& file, const PointCloud& cloud, const Camera& camera, const DepthUnit& unit) {
+Input read_organized(const fs::path& file, const PointCloud& cloud, const Camera& camera, const DepthUnit& unit,
+                     LabelScheme labels) {
   CloudImages images(cloud, {cloud.width, cloud.height});
   for (std::size_t i = 0; i < cloud.points.size(); ++i) images.put(cloud, i, int(i));
   Input input;
-  input.ground_truth = images.label;
   set_frame(input, file.string(), images.colour, {images.depth, unit, false, DepthKind::plain}, camera);
+  set_ground_truth(input, images.label, input.frame.depth > 0, labels, file.string() + ": field label");
   return input;
 }
 
@@ -68,7 +70,7 @@ int pixel_of(const cv::Vec3f& p, const Camera& camera) {
 }
 
 Input read_unorganized(const fs::path& file, const PointCloud& cloud, const std::optional<CameraFile>& given,
-                       const DepthUnit& unit) {
+                       const DepthUnit& unit, LabelScheme labels) {
   if (!given)
     throw InputError(file.string() +
                      ": is an unorganized cloud (HEIGHT 1), whose points cannot be put into an image without the "
@@ -92,8 +94,8 @@ Input read_unorganized(const fs::path& file, const PointCloud& cloud, const std:
                    [&](std::size_t a, std::size_t b) { return cloud.points[a][2] > cloud.points[b][2]; });
   CloudImages images(cloud, size_of(camera));
   for (const std::size_t i : order) images.put(cloud, i, input.point_pixels[i]);
-  input.ground_truth = images.label;
   set_frame(input, file.string(), images.colour, {images.depth, unit, false, DepthKind::plain}, camera);
+  set_ground_truth(input, images.label, input.frame.depth > 0, labels, file.string() + ": field label");
   return input;
 }
 
@@ -106,11 +108,11 @@ Input read_cloud(const fs::path& file, PointCloud cloud, const ReadOptions& opti
   const cv::Size size(cloud.width, cloud.height);
   const auto camera = choose_camera(file, options.camera);
   if (cloud.height == 1 && !(camera && size_of(camera->camera) == size))
-    return read_unorganized(file, cloud, camera, unit);
-  if (!camera) return read_organized(file, cloud, fit_camera(file, cloud), unit);
+    return read_unorganized(file, cloud, camera, unit, options.labels);
+  if (!camera) return read_organized(file, cloud, fit_camera(file, cloud), unit, options.labels);
   check_size(*camera, size, file);
   if (!options.camera) check_fit(*camera, file, cloud);
-  return read_organized(file, cloud, camera->camera, unit);
+  return read_organized(file, cloud, camera->camera, unit, options.labels);
 }
 
 Frame frame_of(const ConvertedScene& scene) {

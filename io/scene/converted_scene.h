@@ -2,6 +2,9 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <string>
+#include <vector>
+
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/scene_folder.h"
 
@@ -11,8 +14,9 @@ namespace gestalt {
 struct ConvertedScene {
   SceneImages images;
   Camera camera;
-  int objects = 0;             ///< with at least one pixel that has depth
-  double depth_scale = 0.001;  ///< metres for each unit of images.depth
+  int objects = 0;                    ///< with at least one pixel that has depth
+  double depth_scale = 0.001;         ///< metres for each unit of images.depth
+  std::vector<std::string> warnings;  ///< as Input::warnings
 };
 
 /// Any scene that read_scene() reads, ready to be written; depth in millimetres. Throws InputError for a depth beyond

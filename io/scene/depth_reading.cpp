@@ -7,6 +7,7 @@
 #include <cmath>
 
 #include "gestalt/core/base/error.h"
+#include "gestalt/io/scene/depth_plausibility.h"
 
 namespace gestalt {
 
@@ -19,6 +20,13 @@ void make_axial(cv::Mat_<float>& depth, const Camera& camera) {
       const double x = (u - camera.cx) / camera.fx, y = (v - camera.cy) / camera.fy;
       depth(v, u) = float(depth(v, u) / std::sqrt(x * x + y * y + 1));
     }
+}
+
+/// 65535 stands for "no measurement" with many.
+void drop_largest(DepthReading& depth) {
+  const auto none = float(65535 * depth.unit.metres);
+  for (float& d : depth.metres)
+    if (d == none) d = 0;
 }
 
 }  // namespace
@@ -46,6 +54,8 @@ void set_frame(Input& input, const std::string& name, const cv::Mat& colour, Dep
     throw InputError(name +
                      ": its depth is no whole numbers of 16 bits, whose bits could be rotated; leave out "
                      "--depth-kind rotated");
+  if (depth.whole_numbers) drop_largest(depth);
+  question_depth(name, depth, camera, input.warnings);
   if (depth.kind == DepthKind::radial) make_axial(depth.metres, camera);
   input.depth_unit = text(depth.unit);
   input.frame = make_frame(name, colour, depth.metres, camera);

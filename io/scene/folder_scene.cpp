@@ -5,6 +5,7 @@
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/scene/depth_reading.h"
+#include "gestalt/io/scene/ground_truth.h"
 #include "png_file.h"
 #include "scene_camera.h"
 
@@ -33,7 +34,7 @@ bool is_scene_folder(const fs::path& folder) {
 
 Input read_scene_folder(const fs::path& folder, const ReadOptions& options) {
   std::error_code error;
-  const fs::path depth_file = folder / "depth.png", colour_file = folder / "rgb.png", label_file = folder / "label.png";
+  const fs::path depth_file = folder / "depth.png", colour_file = folder / "rgb.png";
   if (!fs::exists(depth_file, error))
     throw InputError(depth_file.string() +
                      ": does not exist; a scene folder needs the depth image as 16-bit PNG under this name");
@@ -48,7 +49,7 @@ Input read_scene_folder(const fs::path& folder, const ReadOptions& options) {
   Input input;
   cv::Mat colour;
   if (fs::exists(colour_file, error)) colour = read_companion(colour_file, read_colour_png, raw.size());
-  if (fs::exists(label_file, error)) input.ground_truth = read_companion(label_file, read_label_png, raw.size());
+  read_ground_truth_beside(input, folder, raw != 0, options.labels);
   set_frame(input, folder.string(), colour, depth_reading(raw, options, *camera), camera->camera);
   return input;
 }

@@ -9,6 +9,7 @@
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/scene/depth_reading.h"
+#include "gestalt/io/scene/ground_truth.h"
 #include "most_pixels.h"
 #include "npz_file.h"
 
@@ -69,17 +70,17 @@ class NpzScene {
     return colour;
   }
 
-  cv::Mat_<std::uint16_t> label() const {
+  cv::Mat_<int> label() const {
     const NpyArray* array = find("label");
     if (!array) return {};
     if (array->kind == 'f' || array->shape != Shape{rows(), columns()})
       fail("label",
            "must be of integers and have the shape " + text({rows(), columns()}) + ", it has " + text(array->shape));
-    cv::Mat_<std::uint16_t> label(size_);
+    cv::Mat_<int> label(size_);
     for (std::size_t i = 0; i < label.total(); ++i) {
       const double value = array->at(i);
       if (value < 0 || value > 65535) fail("label", "has a label outside of 0 to 65535");
-      label.ptr<std::uint16_t>()[i] = std::uint16_t(value);
+      label.ptr<int>()[i] = int(value);
     }
     return label;
   }
@@ -143,9 +144,14 @@ NpyArray array_of(char kind, Shape shape, const T* values, std::size_t count) {
 Input read_npz_scene(const fs::path& file, const ReadOptions& options) {
   const NpzScene scene(file);
   Input input;
-  input.ground_truth = scene.label();
   const CameraFile camera = scene.camera(options);
   set_frame(input, file.string(), scene.colour(), scene.depth(options, camera), camera.camera);
+  try {
+    set_ground_truth(input, scene.label(), input.frame.depth > 0, options.labels, file.string() + ": array 'label'");
+  } catch (const InputError& error) {
+    input.ground_truth_problem = error.what();
+    input.warnings.push_back(input.ground_truth_problem + ". It counts as without ground truth");
+  }
   return input;
 }
 
