@@ -206,19 +206,19 @@ class Ply(FormatsTest):
         head, vertices = self.write_ply(file, after=False)
         body = vertices.tobytes()
         for text, damaged in (
-            ("wrong.ply:2: expected 'format ascii 1.0'", head.replace("little", "big")),
+            ("wrong.ply:2: expected 'format ascii 1.0'", head.replace("little", "middle")),
             ("the number of vertices must be from 1 to 2^26", head.replace(f"vertex {len(vertices)}", "vertex 99999999999")),
             ("the number of vertices must be from 1 to 2^26", head.replace(f"vertex {len(vertices)}", "vertex -1")),
             ("has no field 'x'", head.replace("float x", "float a")),
             ("stands here a second time", head.replace("float y", "float x")),
             ("must be 'property TYPE NAME'", head.replace("property float z", "property list uchar int z")),
-            ("the header promises", head.replace(f"vertex {len(vertices)}", f"vertex {len(vertices) + 1}")),
-            ("must be of type uchar", head.replace("uchar red", "char red")),
+            ("ends within vertex", head.replace(f"vertex {len(vertices)}", f"vertex {len(vertices) + 1}")),
+            ("must be a colour from 0 to 1", head.replace("uchar red", "char red")),
             ("is no line of a PLY header", head.replace("comment", "remark")),
             ("the PLY header breaks off here", head[:100]),
             ("'vertex'", "ply\nformat ascii 1.0\nend_header\n"),
             ("wrong.ply:1: a PLY file begins with 'ply', not 'plyx'", head.replace("ply", "plyx", 1)),
-            ("stands before 'vertex'", "ply\nformat ascii 1.0\nelement face 1\nelement vertex 1\nend_header\n"),
+            ("ends within what stands before the vertices", head.replace("element vertex", "element a 9999999\nproperty int b\nelement vertex")),
         ):
             with self.subTest(text):
                 file.write_bytes(damaged.encode() + (body if "end_header" in damaged else b""))
