@@ -119,6 +119,11 @@ std::string guess(const fs::path& input) {
 std::vector<SourceScene> open(const Options& options) {
   const ReadOptions read = read_options(options.reading);
   const auto layout = std::ranges::find(layouts, options.from, &Layout::name);
+  if (layout != layouts.end() && read.camera && read.camera->lens.distorts())
+    throw InputError(
+        read.camera->file.string() +
+        ": its lens distorts, and images of data sets are not rectified; rectify them (cv2.undistort), and "
+        "give a camera without distortion");
   return (layout == layouts.end() ? own_scenes : layout->scenes)(options, read);
 }
 
@@ -187,10 +192,7 @@ void add_convert(CLI::App& app, Run& run) {
     targets.push_back(format.name);
     written += (written.empty() ? "" : "; ") + format.name + ", " + format.summary;
   }
-  command
-      ->add_option(
-          "--from", options->from,
-          "Layout of the input (default: by its files): " + read + ". Clouds of pcd need a label for each point")
+  command->add_option("--from", options->from, "Layout of the input (default: by its files): " + read)
       ->check(CLI::IsMember(sources));
   command->add_option("--to", options->to, "What to write: " + written)
       ->check(CLI::IsMember(targets))

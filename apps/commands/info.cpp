@@ -77,7 +77,7 @@ void add_scene(Description& description, const Input& input, const std::string& 
 }
 
 std::string camera_source(const SceneFormat& format, const fs::path& scene, const ReadOptions& options) {
-  if (options.camera) return options.camera->file.string();
+  if (options.camera) return options.camera->file.empty() ? "the numbers given" : options.camera->file.string();
   if (format.camera == CameraPlace::scene) return "the file, or a camera.yaml";
   const auto found = find_camera_file(scene);
   return found ? found->string() : "fitted to the points";
@@ -126,11 +126,23 @@ Description describe_result(const nlohmann::json& result) {
                    " files, camera files, configs, models and result.json");
 }
 
+Description describe_camera_file(const fs::path& file) {
+  const CameraFile camera = read_camera(file);
+  Description description{{"kind", "camera file"}};
+  description.update(describe_camera(camera.camera));
+  if (camera.camera.width == 0) description["width"] = description["height"] = "of the images";
+  if (camera.depth_scale) description["depth_scale"] = *camera.depth_scale;
+  if (camera.lens.distorts()) description["distortion"] = camera.lens.coefficients;
+  if (!camera.notes.empty()) description["notes"] = camera.notes;
+  return description;
+}
+
 Description describe_json(const fs::path& file) try {
   const nlohmann::json content = nlohmann::json::parse(read_bytes(file, largest_json));
-  if (content.value("format", "") == "gestalt-model") return describe_model(content);
-  if (content.value("format", "") == "gestalt-result") return describe_result(content);
-  fail(file, "is JSON, but neither a model nor a result");
+  const std::string format = content.is_object() ? content.value("format", "") : "";
+  if (format == "gestalt-model") return describe_model(content);
+  if (format == "gestalt-result") return describe_result(content);
+  return describe_camera_file(file);
 } catch (const nlohmann::json::exception& error) {
   fail(file, std::string("is no complete model or result: ") + error.what());
 }
@@ -151,11 +163,7 @@ Description describe_yaml(const fs::path& file) {
     description["more"] = "gestalt config print " + file.string();
     return description;
   }
-  const CameraFile camera = read_camera(file);
-  Description description{{"kind", "camera file"}};
-  description.update(describe_camera(camera.camera));
-  if (camera.depth_scale) description["depth_scale"] = *camera.depth_scale;
-  return description;
+  return describe_camera_file(file);
 }
 
 Description describe(const fs::path& path, const ReadOptions& options) {
@@ -171,6 +179,8 @@ Description describe(const fs::path& path, const ReadOptions& options) {
   const std::string extension = lower_extension(path);
   if (extension == ".json") return describe_json(path);
   if (extension == ".yaml" || extension == ".yml") return describe_yaml(path);
+  for (const char* of_cameras : {".xml", ".txt", ".intr", ".pincam", ".csv"})
+    if (extension == of_cameras) return describe_camera_file(path);
   if (extension == ".png") fail(path, "is one image, not a scene; name the folder that holds it");
   fail(path, "is of no known kind");
 }

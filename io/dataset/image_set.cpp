@@ -26,10 +26,11 @@ void check_size(const fs::path& file, cv::Size size, cv::Size depth) {
 
 }  // namespace
 
-SceneImages read_images(const fs::path& depth, const fs::path& colour, const Camera& camera) {
+SceneImages read_images(const fs::path& depth, const fs::path& colour, Camera& camera) {
   SceneImages images;
   images.depth = read_depth_png(depth);
   const cv::Size size = images.depth.size();
+  if (camera.width == 0) camera.width = size.width, camera.height = size.height;
   if (size != cv::Size(camera.width, camera.height))
     throw InputError(depth.string() + ": is " + text(size) + ", the camera is for " +
                      text({camera.width, camera.height}) + "; give --camera with the intrinsics of these images");

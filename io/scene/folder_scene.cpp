@@ -6,6 +6,7 @@
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/scene/depth_reading.h"
 #include "gestalt/io/scene/ground_truth.h"
+#include "image_frame.h"
 #include "png_file.h"
 #include "scene_camera.h"
 
@@ -42,7 +43,6 @@ Input read_scene_folder(const fs::path& folder, const ReadOptions& options) {
   const auto camera = choose_camera(folder, options.camera);
   if (!camera)
     throw InputError(folder.string() + ": has no camera.yaml, nor has a parent folder; write one or give --camera");
-  check_size(*camera, raw.size(), depth_file);
   if (cv::countNonZero(raw) == 0)
     throw InputError(depth_file.string() + ": no pixel has a measurement (all are 0); record the scene again");
 
@@ -50,7 +50,7 @@ Input read_scene_folder(const fs::path& folder, const ReadOptions& options) {
   cv::Mat colour;
   if (fs::exists(colour_file, error)) colour = read_companion(colour_file, read_colour_png, raw.size());
   read_ground_truth_beside(input, folder, raw != 0, options.labels);
-  set_frame(input, folder.string(), colour, depth_reading(raw, options, *camera), camera->camera);
+  set_frame_of_images(input, folder.string(), colour, depth_reading(raw, options, *camera), *camera, depth_file);
   return input;
 }
 

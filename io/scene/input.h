@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gestalt/core/scene/frame.h"
+#include "gestalt/io/scene/lens.h"
 
 namespace gestalt {
 
@@ -19,14 +20,16 @@ struct CameraFile {
   /// Implicit, so that intrinsics made in memory can be given where a camera file can.
   CameraFile(const Camera& intrinsics) : camera(intrinsics) {}  // NOLINT(google-explicit-constructor)
 
-  Camera camera;
+  Camera camera;                      ///< width and height may be 0: those of the images
   std::optional<double> depth_scale;  ///< metres per unit of depth in whole numbers, in [1e-6, 1]; nothing: not told
   std::filesystem::path file;         ///< where it was read; empty when made in memory
+  Lens lens{};                        ///< of a camera that is no pinhole; camera is its matrix
+  std::vector<std::string> notes{};   ///< what was guessed as it was read
 };
 
-/// Reads width, height, fx, fy, cx, cy (pixels) and, where present, depth_scale from YAML; no other key is allowed.
-/// Or a camera_info of ROS without distortion.
-/// Throws InputError with all errors of the file together, each `file:line:column: message`, counted from 1.
+/// Reads intrinsics as people have them, in any of the formats of docs/formats.md: width, height, fx, fy, cx, cy
+/// (pixels) and, where present, depth_scale in YAML; what ROS, OpenCV, Open3D, RealSense, COLMAP, kalibr and others
+/// write. Throws InputError with all errors of the file together, each `file:line:column: message`, counted from 1.
 GESTALT_EXPORT CameraFile read_camera(const std::filesystem::path& file);
 
 /// What the numbers of a depth image or array say.

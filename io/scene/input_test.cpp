@@ -291,7 +291,7 @@ TEST_F(CameraYaml, IsRefusedForUnknownAndRepeatedKeys) {
 }
 
 TEST_F(CameraYaml, IsRefusedForIntrinsicsThatAreNoPositiveNumbers) {
-  for (const std::string value : {"0", "-525", "nan", ".nan", "inf", "1e999", "5,25", "abc", "''", "[525]", "1e300"}) {
+  for (const std::string value : {"0", "-525", "nan", ".nan", "inf", "1e999", "5,250", "abc", "''", "[525]", "1e300"}) {
     const std::string text = "width: 4\nheight: 3\nfx:  " + value + "\nfy: 2\ncx: 1\ncy: 1\n";
     const std::string message = refusal(text);
     EXPECT_EQ(message.find(value == "[525]" ? "F:3:1: fx" : "F:3:6: fx is "), 0u) << message;
@@ -305,7 +305,7 @@ TEST_F(CameraYaml, IsRefusedForAPrincipalPointOutsideTheImage) {
 }
 
 TEST_F(CameraYaml, IsRefusedForSizesThatAreNoWholePositiveNumbers) {
-  for (const std::string value : {"0", "-4", "4.0", "0x10", "99999999999"})
+  for (const std::string value : {"0", "-4", "4.5", "0x10", "99999999999"})
     EXPECT_EQ(refusal("width: " + value + "\nheight: 3\nfx: 2\nfy: 2\ncx: 1\ncy: 1\n").find("F:1:8: width is "), 0u);
   expect_parts(refusal("width: 1000000\nheight: 1000000\nfx: 2\nfy: 2\ncx: 1\ncy: 1\n"), {"F:1:1: ", "2^26"});
 }

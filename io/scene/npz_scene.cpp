@@ -10,6 +10,7 @@
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/scene/depth_reading.h"
 #include "gestalt/io/scene/ground_truth.h"
+#include "image_frame.h"
 #include "most_pixels.h"
 #include "npz_file.h"
 
@@ -145,13 +146,14 @@ Input read_npz_scene(const fs::path& file, const ReadOptions& options) {
   const NpzScene scene(file);
   Input input;
   const CameraFile camera = scene.camera(options);
-  set_frame(input, file.string(), scene.colour(), scene.depth(options, camera), camera.camera);
+  DepthReading depth = scene.depth(options, camera);
   try {
-    set_ground_truth(input, scene.label(), input.frame.depth > 0, options.labels, file.string() + ": array 'label'");
+    set_ground_truth(input, scene.label(), depth.metres > 0, options.labels, file.string() + ": array 'label'");
   } catch (const InputError& error) {
     input.ground_truth_problem = error.what();
     input.warnings.push_back(input.ground_truth_problem + ". It counts as without ground truth");
   }
+  set_frame_of_images(input, file.string(), scene.colour(), std::move(depth), camera, file);
   return input;
 }
 

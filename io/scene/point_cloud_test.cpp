@@ -523,7 +523,8 @@ TEST_F(Pcd, RefusesWhatIsNoPcd) {
 TEST_F(Pcd, RefusesAnUnorganizedCloudWithoutACamera) {
   const fs::path file = write_with("WIDTH 2\nHEIGHT 2", "WIDTH 4\nHEIGHT 1");
   if (find_camera_file(file)) GTEST_SKIP() << "the temporary folder lies below a camera.yaml";
-  expect_parts(error_of(file), {"c.pcd: is an unorganized cloud", "--camera"});
+  expect_parts(error_of(file),
+               {"c.pcd: is an unorganized cloud (HEIGHT 1) without a camera", "too few", "give --camera"});
   folder_.write("camera.yaml", "width: 8\nheight: 6\nfx: 10\nfy: 12\ncx: 3.5\ncy: 2.25\n");
   EXPECT_EQ(read_scene(file).frame.width(), 8);
 }
