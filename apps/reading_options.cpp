@@ -94,6 +94,7 @@ ReadOptions read_options(const ReadingOptions& options) {
   read.depth_scale = options.depth_scale;
   read.depth_kind = options.depth_kind;
   read.labels = options.labels;
+  read.colour = options.colour;
   return read;
 }
 
@@ -102,7 +103,7 @@ std::string text_of(const ReadingOptions& options) {
   for (const auto& number : {options.fx, options.fy, options.cx, options.cy})
     camera += (number ? std::to_string(*number) : "") + ' ';
   return camera + (options.depth_scale ? std::to_string(*options.depth_scale * 1e9) : "") + ' ' +
-         std::to_string(int(options.depth_kind));
+         std::to_string(int(options.depth_kind)) + ' ' + options.colour.string();
 }
 
 Input read_and_warn(const std::filesystem::path& scene, const ReadOptions& options) {

@@ -19,6 +19,7 @@ struct ReadingOptions {
   std::optional<double> depth_scale;
   DepthKind depth_kind = DepthKind::plain;
   LabelScheme labels = LabelScheme::guess;
+  std::filesystem::path colour;  ///< of the only scene, a depth image; empty: what is found with it
 };
 
 void add_reading_options(CLI::App& command, ReadingOptions& options);

@@ -72,12 +72,16 @@ SceneSegmenter::SceneSegmenter(const SegmenterOptions& options)
       segmenter_(load_segmenter(options.pipeline)),
       config_(segmenter_.config_json()) {
   config_["identity"] = run_identity(config_, segmenter_.config().model, options.reading);
+  if (DepthOnly::may_replace(options.pipeline)) depth_only_.emplace(options.pipeline, options.reading);
 }
 
 SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene) const {
-  const Input input = read_and_warn(scene, read_);
-  std::optional<FrameWatch> watch(std::in_place, segmenter_.config().time_budget, scene.string());
-  const SegmentedFrame found = segmenter_.segment(input.frame);
+  Input input = read_and_warn(scene, read_);
+  const bool depth_only = depth_only_ && !input.frame.has_colour();
+  if (depth_only) input.notes.push_back(depth_only_->note(scene));
+  const Segmenter& segmenter = depth_only ? depth_only_->segmenter() : segmenter_;
+  std::optional<FrameWatch> watch(std::in_place, segmenter.config().time_budget, scene.string());
+  const SegmentedFrame found = segmenter.segment(input.frame);
   watch.reset();
   const std::filesystem::path folder = folder_of(scene);
   refuse_link(folder);
@@ -86,7 +90,7 @@ SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene) const
   std::vector<OutputFile> more;
   if (debug_images_) more = debug_images(folder, found.percept, segmentation.graph);
   for (const std::string& kind : also_) more.push_back(labelled_file(folder, kind, input.frame, segmentation));
-  write_result(folder, input, found, config_, std::move(more));
+  write_result(folder, input, found, depth_only ? depth_only_->config() : config_, std::move(more));
   const auto objects = std::count_if(segmentation.segments.begin(), segmentation.segments.end(),
                                      [](const Segment& segment) { return segment.role == Role::object; });
   return {folder, std::size_t(objects), segmentation.segments.size(), found.percept.surfaces().surfaces.size(),
@@ -101,7 +105,9 @@ bool SceneSegmenter::has_segmented(const std::filesystem::path& scene) const {
   std::vector<std::string> wanted;
   if (debug_images_) wanted = debug_names;
   for (const std::string& kind : also_) wanted.push_back(labelled_name(kind));
-  return is_segmented(scene, folder_of(scene), config_.at("identity"), wanted);
+  const std::filesystem::path folder = folder_of(scene);
+  return is_segmented(scene, folder, config_.at("identity"), wanted) ||
+         (depth_only_ && is_segmented(scene, folder, depth_only_->config().at("identity"), wanted));
 }
 
 }  // namespace gestalt::app

@@ -5,8 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
+#include "depth_only.h"
 #include "gestalt/core/pipeline/segmenter.h"
 #include "gestalt/io/scene/input.h"
 #include "pipeline_options.h"
@@ -55,7 +57,8 @@ class SceneSegmenter {
   std::set<std::string> also_;
   ReadOptions read_;
   Segmenter segmenter_;
-  nlohmann::json config_;  ///< as results tell it
+  nlohmann::json config_;                ///< as results tell it
+  std::optional<DepthOnly> depth_only_;  ///< for scenes without colour; nothing: the user asked for a config of his own
 };
 
 }  // namespace gestalt::app

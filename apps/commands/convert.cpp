@@ -113,6 +113,10 @@ std::string guess(const fs::path& input) {
   for (const Layout& layout : layouts)
     if (std::ranges::all_of(layout.holds, is_there)) return layout.name;
   if (const SceneFormat* format = scene_format_of(input)) return format->name;
+  try {
+    return scene_format_of(find_scenes({input}).front())->name;
+  } catch (const InputError&) {  // of which the layout that is asked for tells
+  }
   throw InputError(input.string() + ": its files do not tell what layout it has; give --from");
 }
 

@@ -7,6 +7,7 @@
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/scene/depth_plausibility.h"
+#include "gestalt/io/scene/image_file.h"
 #include "gestalt/io/scene/natural_order.h"
 #include "gestalt/io/scene/png_file.h"
 
@@ -37,7 +38,7 @@ SceneImages read_images(const fs::path& depth, const fs::path& colour, Camera& c
   if (cv::countNonZero(images.depth) == 0)
     throw InputError(depth.string() + ": no pixel has a measurement (all are 0)");
   if (!colour.empty()) {
-    images.colour = read_colour_png(colour);
+    images.colour = read_colour_image(colour);
     check_size(colour, images.colour.size(), size);
   }
   return images;

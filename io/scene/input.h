@@ -60,6 +60,7 @@ struct ReadOptions {
       depth_scale;  ///< metres per unit of every depth and cloud, whole numbers or not, in [1e-9, 1e4]
   DepthKind depth_kind = DepthKind::plain;
   LabelScheme labels = LabelScheme::guess;
+  std::filesystem::path colour;  ///< image of a scene that is one file, in place of what would be found
 };
 
 /// Depth in metres, each the float that is nearest to raw * scale; scale as CameraFile::depth_scale.
@@ -79,6 +80,8 @@ struct Input {
                                          ///< hidden behind a nearer one), -1 = outside the image, behind the camera or
                                          ///< without a finite position
   std::string depth_unit;                ///< of the file's numbers and who tells it: "0.001 m, the default"
+  std::string camera_from;               ///< the file, or what else tells the camera; "" where it was not noted
+  std::string colour_from;               ///< the file, where colour is an image of its own; else ""
   std::vector<std::string> warnings;     ///< what is probably not as it was read; each names its file
   std::vector<std::string> notes;        ///< what was taken for certain though no file tells it; without its file
   std::string ground_truth_problem;      ///< why the labels that are there are not in ground_truth; empty: nothing
