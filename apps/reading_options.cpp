@@ -39,7 +39,24 @@ const CLI::Validator is_unit(
 }  // namespace
 
 void add_reading_options(CLI::App& command, ReadingOptions& options) {
-  command.add_option("--camera", options.camera, "Intrinsics to use instead of the scene's own")->type_name("FILE");
+  CLI::Option* camera =
+      command
+          .add_option("--camera", options.camera,
+                      "Intrinsics to use instead of the scene's own: camera.yaml, or a file of ROS, OpenCV, Open3D, "
+                      "RealSense, COLMAP, kalibr, ORB-SLAM, ARKit, a 3x3 matrix, ...")
+          ->type_name("FILE");
+  const auto intrinsic = [&](const char* name, std::optional<double>& value, const char* what) {
+    return command.add_option(name, value, what)->check(CLI::Range(0.0, 1e7))->excludes(camera)->type_name("PX");
+  };
+  CLI::Option* fx =
+      intrinsic("--fx", options.fx, "The same by numbers: focal length in pixel widths; the size is the images'");
+  CLI::Option* fy = intrinsic("--fy", options.fy, "Focal length in pixel heights (default: that of --fx)");
+  CLI::Option* cx = intrinsic("--cx", options.cx, "Column of the principal point");
+  CLI::Option* cy = intrinsic("--cy", options.cy, "Row of the principal point");
+  fx->needs(cx)->needs(cy);
+  fy->needs(fx);
+  cx->needs(fx);
+  cy->needs(fx);
   CLI::Option* unit = command
                           .add_option_function<std::string>(
                               "--unit", [&](const std::string& text) { options.depth_scale = metres_of_unit(text); },
@@ -71,15 +88,22 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
 ReadOptions read_options(const ReadingOptions& options) {
   ReadOptions read;
   if (!options.camera.empty()) read.camera = read_camera(options.camera);
+  if (options.fx)
+    read.camera =
+        Camera{0, 0, *options.fx, options.fy.value_or(*options.fx), options.cx.value_or(0), options.cy.value_or(0)};
   read.depth_scale = options.depth_scale;
   read.depth_kind = options.depth_kind;
   read.labels = options.labels;
+  read.colour = options.colour;
   return read;
 }
 
 std::string text_of(const ReadingOptions& options) {
-  return (options.depth_scale ? std::to_string(*options.depth_scale * 1e9) : "") + ' ' +
-         std::to_string(int(options.depth_kind));
+  std::string camera;
+  for (const auto& number : {options.fx, options.fy, options.cx, options.cy})
+    camera += (number ? std::to_string(*number) : "") + ' ';
+  return camera + (options.depth_scale ? std::to_string(*options.depth_scale * 1e9) : "") + ' ' +
+         std::to_string(int(options.depth_kind)) + ' ' + options.colour.string();
 }
 
 Input read_and_warn(const std::filesystem::path& scene, const ReadOptions& options) {

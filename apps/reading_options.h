@@ -11,13 +11,15 @@
 
 namespace gestalt::app {
 
-/// What a user tells of his scenes: --camera, --unit or --depth-scale, --depth-kind, --labels. Every command that reads
-/// scenes has them.
+/// What a user tells of his scenes: --camera or --fx, --fy, --cx and --cy, --unit or --depth-scale, --depth-kind,
+/// --labels. Every command that reads scenes has them.
 struct ReadingOptions {
-  std::filesystem::path camera;  ///< empty: that of each scene
+  std::filesystem::path camera;          ///< empty: that of each scene
+  std::optional<double> fx, fy, cx, cy;  ///< in place of a camera file; all or none, fy may be missing
   std::optional<double> depth_scale;
   DepthKind depth_kind = DepthKind::plain;
   LabelScheme labels = LabelScheme::guess;
+  std::filesystem::path colour;  ///< of the only scene, a depth image; empty: what is found with it
 };
 
 void add_reading_options(CLI::App& command, ReadingOptions& options);

@@ -10,7 +10,7 @@
 #include "gestalt/core/base/digest.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/result/result_file.h"
-#include "gestalt/io/scene/input.h"
+#include "gestalt/io/scene/scene_files.h"
 #include "scene_segmenter.h"
 
 namespace gestalt::app {
@@ -32,32 +32,20 @@ std::string content_of(const fs::path& file) {
 }
 
 /// Results may be written into the scene's own folder.
-bool is_of_scene(const fs::directory_entry& entry) {
-  std::error_code error;
+bool is_of_results(const fs::path& file) {
   static const std::set<std::string> of_results = result_names();
-  const std::string name = entry.path().filename().string();
-  return entry.is_regular_file(error) && entry.file_size(error) <= largest_image && !of_results.contains(name) &&
-         name.find(".tmp") == std::string::npos;
-}
-
-/// A line of text for each file of a scene, in order of their names.
-std::set<std::string> contents(const fs::path& scene) {
-  std::set<std::string> lines;
-  std::error_code error;
-  if (!fs::is_directory(scene, error)) return {content_of(scene)};
-  fs::directory_iterator entry(scene, error);
-  for (; !error && entry != fs::directory_iterator(); entry.increment(error))
-    if (is_of_scene(*entry)) lines.insert(entry->path().filename().string() + ' ' + content_of(entry->path()));
-  return lines;
+  const std::string name = file.filename().string();
+  return of_results.contains(name) || name.find(".tmp") != std::string::npos;
 }
 
 }  // namespace
 
-std::string result_identity(const std::string& run, const fs::path& scene) {
+std::string scene_identity(const fs::path& scene) {
   std::error_code error;
-  std::string text = run + '\n' + fs::absolute(scene, error).lexically_normal().string();
-  for (const std::string& line : contents(scene)) text += '\n' + line;
-  if (const auto camera = find_camera_file(scene)) text += "\ncamera " + content_of(*camera);
+  std::string text = fs::absolute(scene, error).lexically_normal().string();
+  for (const fs::path& file : scene_files(scene))
+    if (!is_of_results(file) && fs::file_size(file, error) <= largest_image)
+      text += '\n' + file.filename().string() + ' ' + content_of(file);
   return digest(text);
 }
 

@@ -8,10 +8,9 @@
 
 namespace gestalt::app {
 
-/// Names what a scene's result follows from: what run names (run_identity(), and how all scenes are to be read), the
-/// path of the scene, the content of its files and of its camera file. Of a scene folder, all files count but those
-/// that results have and those larger than any image. Results keep it as `config.identity`.
-std::string result_identity(const std::string& run, const std::filesystem::path& scene);
+/// Names what of a scene its result follows from: its path and the content of scene_files(), but of those that results
+/// have and of those larger than any image. Results keep it with what names the run as `config.identity`.
+std::string scene_identity(const std::filesystem::path& scene);
 
 /// Whether a folder has a result.json of that identity that names these files, and has all files that it names. An
 /// unreadable one is none.

@@ -83,16 +83,21 @@ SceneSegmenter::SceneSegmenter(const SegmenterOptions& options)
       read_(read_options(options.reading)),
       segmenter_(load_segmenter(options.pipeline)),
       config_(segmenter_.config_json()) {
-  run_ = run_identity(segmenter_.loaded()) + text_of(options.reading);
-  if (!options.reading.camera.empty()) run_ += file_digest(options.reading.camera);
+  std::string reading = text_of(options.reading);
+  for (const std::filesystem::path& file : {options.reading.camera, options.reading.colour})
+    if (!file.empty()) reading += ' ' + file_digest(file);
+  run_ = run_identity(segmenter_.loaded()) + reading;
+  if (DepthOnly::may_replace(options.pipeline)) depth_only_.emplace(options.pipeline, reading);
 }
 
 SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene) const {
-  nlohmann::json config = config_;
-  config["identity"] = result_identity(run_, scene);  // of the files before they are read: one that changes now is seen
-  const Input input = read_and_warn(scene, read_);
-  std::optional<FrameWatch> watch(std::in_place, segmenter_.config().time_budget, scene.string());
-  const SegmentedFrame found = segmenter_.segment(input.frame);
+  const std::string content = scene_identity(scene);  // of files that are read later: one that changes now is seen
+  Input input = read_and_warn(scene, read_);
+  const bool depth_only = depth_only_ && !input.frame.has_colour();
+  if (depth_only) input.notes.push_back(depth_only_->note(scene));
+  const Segmenter& segmenter = depth_only ? depth_only_->segmenter() : segmenter_;
+  std::optional<FrameWatch> watch(std::in_place, segmenter.config().time_budget, scene.string());
+  const SegmentedFrame found = segmenter.segment(input.frame);
   watch.reset();
   const OutputPath folder = OutputPath(output_) / scene_name(scene);
   remove_abandoned(folder);
@@ -100,6 +105,8 @@ SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene) const
   std::vector<OutputFile> more;
   if (debug_images_) more = debug_images(folder, found.percept, segmentation.graph);
   for (const std::string& kind : also_) more.push_back(labelled_file(folder, kind, input.frame, segmentation));
+  nlohmann::json config = depth_only ? depth_only_->config() : config_;
+  config["identity"] = digest((depth_only ? depth_only_->run() : run_) + content);
   write_result(folder, input, found, config, std::move(more));
   const auto objects = std::count_if(segmentation.segments.begin(), segmentation.segments.end(),
                                      [](const Segment& segment) { return segment.role == Role::object; });
@@ -115,7 +122,9 @@ bool SceneSegmenter::has_segmented(const std::filesystem::path& scene) const {
   std::vector<std::string> wanted;
   if (debug_images_) wanted = debug_names;
   for (const std::string& kind : also_) wanted.push_back(labelled_name(kind));
-  return is_segmented(folder_of(scene), result_identity(run_, scene), wanted);
+  const std::string content = scene_identity(scene);
+  const auto by = [&](const std::string& run) { return is_segmented(folder_of(scene), digest(run + content), wanted); };
+  return by(run_) || (depth_only_ && by(depth_only_->run()));
 }
 
 }  // namespace gestalt::app

@@ -5,8 +5,10 @@
 #include <CLI/CLI.hpp>
 #include <filesystem>
 #include <nlohmann/json.hpp>
+#include <optional>
 #include <set>
 
+#include "depth_only.h"
 #include "gestalt/core/pipeline/segmenter.h"
 #include "gestalt/io/scene/input.h"
 #include "pipeline_options.h"
@@ -58,8 +60,9 @@ class SceneSegmenter {
   std::set<std::string> also_;
   ReadOptions read_;
   Segmenter segmenter_;
-  nlohmann::json config_;  ///< as results tell it
-  std::string run_;        ///< what the results of all scenes follow from
+  nlohmann::json config_;                ///< as results tell it, but for identity
+  std::optional<DepthOnly> depth_only_;  ///< for scenes without colour; nothing: the user asked for a config of his own
+  std::string run_;                      ///< what the results of all scenes follow from
 };
 
 }  // namespace gestalt::app

@@ -116,12 +116,21 @@ std::string guess(const fs::path& input) {
   for (const Layout& layout : layouts)
     if (std::ranges::all_of(layout.holds, is_there)) return layout.name;
   if (const SceneFormat* format = scene_format_of(input)) return format->name;
+  try {
+    return scene_format_of(find_scenes({input}).front())->name;
+  } catch (const InputError&) {  // of which the layout that is asked for tells
+  }
   throw InputError(input.string() + ": its files do not tell what layout it has; give --from");
 }
 
 std::vector<SourceScene> open(const Options& options) {
   const ReadOptions read = read_options(options.reading);
   const auto layout = std::ranges::find(layouts, options.from, &Layout::name);
+  if (layout != layouts.end() && read.camera && read.camera->lens.distorts())
+    throw InputError(
+        read.camera->file.string() +
+        ": its lens distorts, and images of data sets are not rectified; rectify them (cv2.undistort), and "
+        "give a camera without distortion");
   return (layout == layouts.end() ? own_scenes : layout->scenes)(options, read);
 }
 
@@ -193,10 +202,7 @@ void add_convert(CLI::App& app, Run& run) {
     targets.push_back(format.name);
     written += (written.empty() ? "" : "; ") + format.name + ", " + format.summary;
   }
-  command
-      ->add_option(
-          "--from", options->from,
-          "Layout of the input (default: by its files): " + read + ". Clouds of pcd need a label for each point")
+  command->add_option("--from", options->from, "Layout of the input (default: by its files): " + read)
       ->check(CLI::IsMember(sources));
   command->add_option("--to", options->to, "What to write: " + written)
       ->check(CLI::IsMember(targets))

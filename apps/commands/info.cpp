@@ -13,10 +13,13 @@
 #include <opencv2/core.hpp>
 
 #include "command.h"
+#include "gestalt/apps/frame_options.h"
+#include "gestalt/apps/input_picture.h"
 #include "gestalt/apps/reading_options.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
 #include "gestalt/core/base/json_file.h"
+#include "gestalt/core/base/output_file.h"
 #include "gestalt/core/pipeline/learning_set.h"
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/scene_format.h"
@@ -63,6 +66,7 @@ void add_scene(Description& description, const Input& input, const std::string& 
   description["width"] = frame.width();
   description["height"] = frame.height();
   description["colour"] = frame.has_colour();
+  if (!input.colour_from.empty()) description["colour_from"] = input.colour_from;
   description["valid_pixels"] = cv::countNonZero(measured);
   description["valid_share"] = rounded(double(cv::countNonZero(measured)) / double(frame.depth.total()));
   description["depth_range_m"] = {rounded(nearest), rounded(farthest)};
@@ -74,29 +78,44 @@ void add_scene(Description& description, const Input& input, const std::string& 
   if (!input.ground_truth_problem.empty()) description["labels_problem"] = input.ground_truth_problem;
   if (!input.ground_truth.empty()) description["labels"] = describe_labels(input.ground_truth);
   description["camera"] = describe_camera(frame.camera);
-  description["camera_from"] = camera_source;
+  description["camera_from"] = input.camera_from.empty() ? camera_source : input.camera_from;
 }
 
 std::string camera_source(const SceneFormat& format, const fs::path& scene, const ReadOptions& options) {
-  if (options.camera) return options.camera->file.string();
+  if (options.camera) return options.camera->file.empty() ? "the numbers given" : options.camera->file.string();
   if (format.camera == CameraPlace::scene) return "the file, or a camera.yaml";
   const auto found = find_camera_file(scene);
   return found ? found->string() : "fitted to the points";
 }
 
-Description describe_scene(const SceneFormat& format, const fs::path& scene, const ReadOptions& options) {
+struct Options {
+  ReadOptions read;
+  fs::path picture;  ///< to draw what was read into; empty: none
+};
+
+Description describe_scene(const SceneFormat& format, const fs::path& scene, const Options& options) {
   Description description{{"kind", format.kind}};
-  if (format.facts) description.update(format.facts(scene, options));
-  if (!description.contains("camera_from"))
-    add_scene(description, read_and_warn(scene, options), camera_source(format, scene, options));
+  if (format.facts) description.update(format.facts(scene, options.read));
+  if (description.contains("camera_from")) return description;
+  const Input input = read_and_warn(scene, options.read);
+  add_scene(description, input, camera_source(format, scene, options.read));
+  if (!options.picture.empty()) {
+    write_files({{options.picture, input_picture(input.frame)}});
+    description["picture"] = options.picture.string();
+  }
   return description;
 }
 
-Description describe_folder(const fs::path& folder) {
+Description describe_folder(const fs::path& folder, const Options& options) {
   const auto scenes = find_scenes({folder});
   Description names = Description::array();
   for (const fs::path& scene : scenes) names.push_back(scene_name(scene));
-  return {{"kind", "folder of scenes"}, {"count", scenes.size()}, {"scenes", names}};
+  const bool recording = !is_scene(scenes.front());
+  Description description{
+      {"kind", recording ? "recording" : "folder of scenes"}, {"count", scenes.size()}, {"scenes", names}};
+  // Its frames are of one camera and unit.
+  if (recording) description["first"] = describe_scene(*scene_format_of(scenes.front()), scenes.front(), options);
+  return description;
 }
 
 Description describe_model(const nlohmann::json& model) {
@@ -127,11 +146,23 @@ Description describe_result(const nlohmann::json& result) {
                    " files, camera files, configs, models and result.json");
 }
 
+Description describe_camera_file(const fs::path& file) {
+  const CameraFile camera = read_camera(file);
+  Description description{{"kind", "camera file"}};
+  description.update(describe_camera(camera.camera));
+  if (camera.camera.width == 0) description["width"] = description["height"] = "of the images";
+  if (camera.depth_scale) description["depth_scale"] = *camera.depth_scale;
+  if (camera.lens.distorts()) description["distortion"] = camera.lens.coefficients;
+  if (!camera.notes.empty()) description["notes"] = camera.notes;
+  return description;
+}
+
 Description describe_json(const fs::path& file) try {
   const nlohmann::json content = read_json(file);
-  if (content.value("format", "") == "gestalt-model") return describe_model(content);
-  if (content.value("format", "") == "gestalt-result") return describe_result(content);
-  fail(file, "is JSON, but neither a model nor a result");
+  const std::string format = content.is_object() ? content.value("format", "") : "";
+  if (format == "gestalt-model") return describe_model(content);
+  if (format == "gestalt-result") return describe_result(content);
+  return describe_camera_file(file);
 } catch (const nlohmann::json::exception& error) {
   fail(file, std::string("is no complete model or result: ") + error.what());
 }
@@ -152,27 +183,24 @@ Description describe_yaml(const fs::path& file) {
     description["more"] = "gestalt config print " + file.string();
     return description;
   }
-  const CameraFile camera = read_camera(file);
-  Description description{{"kind", "camera file"}};
-  description.update(describe_camera(camera.camera));
-  if (camera.depth_scale) description["depth_scale"] = *camera.depth_scale;
-  return description;
+  return describe_camera_file(file);
 }
 
-Description describe(const fs::path& path, const ReadOptions& options) {
+Description describe(const fs::path& path, const Options& options) {
   std::error_code error;
   const auto status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) fail(path, "does not exist");
   const SceneFormat* const format = scene_format_of(path);
   if (status.type() == fs::file_type::directory)
-    return format ? describe_scene(*format, path, options) : describe_folder(path);
+    return format ? describe_scene(*format, path, options) : describe_folder(path, options);
   if (status.type() != fs::file_type::regular) fail(path, "is neither a file nor a folder");
   if (!std::ifstream(path)) fail(path, "cannot be read");
   if (format) return describe_scene(*format, path, options);
   const std::string extension = lower_extension(path);
   if (extension == ".json") return describe_json(path);
   if (extension == ".yaml" || extension == ".yml") return describe_yaml(path);
-  if (extension == ".png") fail(path, "is one image, not a scene; name the folder that holds it");
+  for (const char* of_cameras : {".xml", ".txt", ".intr", ".pincam", ".csv"})
+    if (extension == of_cameras) return describe_camera_file(path);
   fail(path, "is of no known kind");
 }
 
@@ -192,24 +220,34 @@ void print(const Description& description, const std::string& indent) {
 }
 
 void add_info(CLI::App& app, Run& run) {
-  struct Options {
-    fs::path file;
+  struct Arguments {
+    std::vector<fs::path> files;
+    FrameOptions frame;
     ReadingOptions reading;
+    fs::path picture;
     bool json = false;
   };
-  const auto options = std::make_shared<Options>();
+  const auto arguments = std::make_shared<Arguments>();
   CLI::App* command = app.add_subcommand("info", "Say what a scene, cloud, camera, config, model or result file is");
+  command->add_option("FILE", arguments->files,
+                      "Scene folder, folder of scenes, recording, " + scene_extensions(", ") +
+                          ", depth image with or without its colour image, YAML or JSON file");
+  add_frame_options(*command, arguments->frame);
+  add_reading_options(*command, arguments->reading);
   command
-      ->add_option("FILE", options->file,
-                   "Scene folder, folder of scenes, " + scene_extensions(", ") + ", YAML or JSON file")
-      ->required();
-  add_reading_options(*command, options->reading);
-  command->add_flag("--json", options->json, "Print JSON");
+      ->add_option("--picture", arguments->picture,
+                   "Draw what was read as a PNG file: colour beside depth in colours (of a recording its first frame)")
+      ->type_name("FILE");
+  command->add_flag("--json", arguments->json, "Print JSON");
   command->footer("Example: gestalt info examples/demo_scene");
-  command->callback([options, &run] {
-    run = [options] {
-      const Description description = describe(options->file, read_options(options->reading));
-      if (options->json)
+  command->callback([arguments, &run] {
+    require_input_or_frame(arguments->files, arguments->frame);
+    run = [arguments] {
+      const std::vector<fs::path> files = inputs_with_frame(arguments->files, arguments->frame);
+      if (files.size() > 1) fail(files[1], "is a second input; give one, or a depth image with its colour image");
+      arguments->reading.colour = arguments->frame.colour;
+      const Description description = describe(files.front(), {read_options(arguments->reading), arguments->picture});
+      if (arguments->json)
         std::cout << description.dump(2, ' ', false, Description::error_handler_t::replace) << '\n';
       else
         print(description, "");

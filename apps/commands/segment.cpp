@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "command.h"
+#include "gestalt/apps/frame_options.h"
 #include "gestalt/apps/scene_batch.h"
 #include "gestalt/apps/scene_segmenter.h"
 #include "gestalt/apps/viewer.h"
@@ -21,6 +22,7 @@ namespace {
 
 struct Options {
   std::vector<std::filesystem::path> inputs;
+  FrameOptions frame;
   bool view = false;
   bool resume = false;
   SegmenterOptions segmenter;
@@ -65,9 +67,10 @@ void add_segment(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("segment", "Segment scenes into objects");
   command
       ->add_option("inputs", options->inputs,
-                   "Scene folders, files (" + scene_extensions(", ") + "), or folders of those")
-      ->required()
+                   "Scene folders, files (" + scene_extensions(", ") +
+                       "), folders of those, recordings (rgb/ and depth/), or a colour and a depth image")
       ->type_name("INPUT");
+  add_frame_options(*command, options->frame);
   add_segmenter_options(*command, options->segmenter);
   command->add_flag("--resume", options->resume,
                     "Leave out scenes whose results are complete, newer than the scene, and of this config, model, "
@@ -77,9 +80,17 @@ void add_segment(CLI::App& app, Run& run) {
       "Show the results in PCL's viewer afterwards (needs a display and gestalt-view); implies --also pcd");
   command->footer(
       "Example: gestalt segment examples/demo_scene --output out\n"
+      "         gestalt segment --rgb rgb.jpg --depth depth.png --camera camera.yaml\n"
       "         gestalt segment cloud.ply --camera camera.yaml --also pcd,coco\n"
       "         gestalt segment examples/demo_scene --view");
-  command->callback([options, &run] { run = [options] { return segment(*options); }; });
+  command->callback([options, &run] {
+    require_input_or_frame(options->inputs, options->frame);
+    run = [options] {
+      options->inputs = inputs_with_frame(options->inputs, options->frame);
+      options->segmenter.reading.colour = options->frame.colour;
+      return segment(*options);
+    };
+  });
 }
 
 const Subcommand subcommand(10, add_segment);

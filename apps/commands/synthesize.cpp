@@ -10,6 +10,7 @@
 
 #include "command.h"
 #include "gestalt/apps/pipeline_options.h"
+#include "gestalt/core/base/error.h"
 #include "gestalt/core/base/for_all.h"
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/scene_folder.h"
@@ -34,7 +35,14 @@ struct SynthesizeOptions {
 
 /// The camera of the file; else a Kinect's of this size, with the focal length where one is given.
 Camera camera_of(const SynthesizeOptions& options) {
-  if (!options.camera.empty()) return read_camera(options.camera).camera;
+  if (!options.camera.empty()) {
+    const CameraFile file = read_camera(options.camera);
+    if (file.camera.width == 0 || file.lens.distorts())
+      throw InputError(options.camera + ": " +
+                       (file.camera.width == 0 ? "has no width and height" : "has a lens that distorts") +
+                       "; scenes are made for a pinhole camera of a known size");
+    return file.camera;
+  }
   Camera camera = kinect_camera(options.width, options.height);
   if (options.focal_length > 0) camera.fx = camera.fy = options.focal_length;
   return camera;

@@ -29,9 +29,9 @@ const std::map<std::string, DepthNoise>& presets() {
   return presets;
 }
 
-/// Of the azure_kinect preset. Frames of six sensors have 0.66 to 2.6 of it, but the larger part of a noisy one's errors
-/// is alike over tens of pixels: planes follow it, and with more than the preset things that touch become one patch
-/// (docs/accuracy.md).
+/// Of the azure_kinect preset. Frames of six sensors have 0.66 to 2.6 of it, but the larger part of a noisy one's
+/// errors is alike over tens of pixels: planes follow it, and with more than the preset things that touch become one
+/// patch (docs/accuracy.md).
 constexpr double least_multiple = 0.6;
 
 }  // namespace

@@ -5,7 +5,7 @@
 SUBJECTS = {
     "Interfaces of plugins": "plugin clusterer fitter relation classifier solver parameters manifest factory"
     " fingerprint",
-    "Frames and files": "frame input scene_folder scene_path converted_scene scene_format osd_release tum_sequence bop_scene ocid_sequence labelled_cloud"
+    "Frames and files": "frame input lens scene_folder scene_path converted_scene scene_format osd_release tum_sequence bop_scene ocid_sequence labelled_cloud"
     " labelled_files pcd_header png_codec png_file"
     " depth_noise noise_calibration output_file",
     "Results of the levels": "patch_map surface_set relation_table graph segmentation role figure_ground",

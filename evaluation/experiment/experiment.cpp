@@ -11,8 +11,8 @@
 #include <mutex>
 #include <set>
 
+#include "gestalt/core/base/digest.h"
 #include "gestalt/core/base/error.h"
-#include "gestalt/core/base/file_bytes.h"
 #include "gestalt/core/base/for_all.h"
 #include "gestalt/core/base/hash.h"
 #include "gestalt/evaluation/score/feature_score.h"
@@ -210,7 +210,7 @@ class Programs {
 
     std::string text = "gestalt " GESTALT_VERSION " " + build_fingerprint() + "\n";
     for (const fs::path& file : files) {
-      if (!hashes_.contains(file)) hashes_[file] = content_hash(read_bytes(file, any_size));
+      if (!hashes_.contains(file)) hashes_[file] = file_digest(file);
       text += file.filename().string() + " " + hashes_[file] + "\n";
     }
     return text;

@@ -5,12 +5,12 @@
 
 #include <optional>
 
+#include "gestalt/core/base/digest.h"
 #include "gestalt/core/base/error.h"
-#include "gestalt/core/base/file_bytes.h"
 #include "gestalt/core/base/for_all.h"
-#include "gestalt/core/base/hash.h"
 #include "gestalt/evaluation/score/scene_sets.h"
 #include "gestalt/io/scene/input.h"
+#include "gestalt/io/scene/scene_files.h"
 
 namespace gestalt {
 
@@ -18,26 +18,24 @@ namespace fs = std::filesystem;
 
 namespace {
 
-/// Hash of every file that reading the scene looks at.
 std::string contents(const fs::path& scene) {
-  std::vector<fs::path> files;
-  if (fs::is_directory(scene))
-    for (const char* name : {"depth.png", "rgb.png", "label.png"}) files.push_back(scene / name);
-  else
-    files.push_back(scene);
-  if (const std::optional<fs::path> camera = find_camera_file(scene)) files.push_back(*camera);
   std::string text;
-  for (const fs::path& file : files) {
-    std::error_code error;
-    text += " " + (fs::exists(file, error) ? content_hash(read_bytes(file, any_size)) : "none");
-  }
+  for (const fs::path& file : scene_files(scene)) text += " " + file.filename().string() + " " + file_digest(file);
+  return text;
+}
+
+std::string text_of(const CameraFile& camera) {
+  if (!camera.file.empty()) return file_digest(camera.file);
+  std::string text;
+  for (const double number : {camera.camera.fx, camera.camera.fy, camera.camera.cx, camera.camera.cy})
+    text += std::to_string(number) + " ";
   return text;
 }
 
 /// Nothing where nothing is told, so that results of before are found again.
 std::string text_of(const ReadOptions& read) {
   std::string text;
-  if (read.camera) text += "camera " + content_hash(read_bytes(read.camera->file, any_size)) + "\n";
+  if (read.camera) text += "camera " + text_of(*read.camera) + "\n";
   if (read.depth_scale) text += "depth_scale " + std::to_string(*read.depth_scale * 1e9) + "\n";
   if (read.depth_kind != DepthKind::plain) text += "depth_kind " + std::to_string(int(read.depth_kind)) + "\n";
   if (read.labels != LabelScheme::guess) text += "labels " + std::to_string(int(read.labels)) + "\n";

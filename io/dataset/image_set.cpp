@@ -7,6 +7,7 @@
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/scene/depth_plausibility.h"
+#include "gestalt/io/scene/image_file.h"
 #include "gestalt/io/scene/natural_order.h"
 #include "gestalt/io/scene/png_file.h"
 
@@ -26,17 +27,18 @@ void check_size(const fs::path& file, cv::Size size, cv::Size depth) {
 
 }  // namespace
 
-SceneImages read_images(const fs::path& depth, const fs::path& colour, const Camera& camera) {
+SceneImages read_images(const fs::path& depth, const fs::path& colour, Camera& camera) {
   SceneImages images;
   images.depth = read_depth_png(depth);
   const cv::Size size = images.depth.size();
+  if (camera.width == 0) camera.width = size.width, camera.height = size.height;
   if (size != cv::Size(camera.width, camera.height))
     throw InputError(depth.string() + ": is " + text(size) + ", the camera is for " +
                      text({camera.width, camera.height}) + "; give --camera with the intrinsics of these images");
   if (cv::countNonZero(images.depth) == 0)
     throw InputError(depth.string() + ": no pixel has a measurement (all are 0)");
   if (!colour.empty()) {
-    images.colour = read_colour_png(colour);
+    images.colour = read_colour_image(colour);
     check_size(colour, images.colour.size(), size);
   }
   return images;

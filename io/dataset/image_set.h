@@ -13,9 +13,9 @@
 
 namespace gestalt {
 
-/// Depth, and colour where a file is named, of the camera's size.
+/// Depth, and colour where a file is named, of the camera's size; one that tells none gets that of the images.
 /// Throws InputError naming the file and the remedy.
-SceneImages read_images(const std::filesystem::path& depth, const std::filesystem::path& colour, const Camera& camera);
+SceneImages read_images(const std::filesystem::path& depth, const std::filesystem::path& colour, Camera& camera);
 
 /// Metres per unit of depth: what the options tell, by themselves or by their camera, else what the layout has.
 double scale_of(const ReadOptions& options, double of_layout);

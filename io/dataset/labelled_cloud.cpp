@@ -12,8 +12,10 @@ namespace fs = std::filesystem;
 
 ConvertedScene read_labelled_cloud(const fs::path& file, const ReadOptions& options) {
   const Input input = read_scene(file, options);
-  if (input.ground_truth.empty() && input.ground_truth_problem.empty())
-    throw InputError(file.string() + ": has no field label; give clouds with ground truth, a label for each point");
+  if (input.ground_truth.empty() && input.ground_truth_problem.empty()) {
+    if (options.labels == LabelScheme::guess) return converted(input);
+    throw InputError(file.string() + ": has no field label, a label for each point; leave out --labels");
+  }
   require_ground_truth(input);
   ConvertedScene scene = converted(input);
   if (scene.objects == 0)

@@ -10,8 +10,8 @@
 
 namespace gestalt {
 
-/// Reads a PCD file with labels as read_scene() does; its colour may be missing. Throws InputError, also for labels
-/// that name no object.
+/// Reads a PCD file as read_scene() does. Without a field label the scene has no labels. Throws InputError, also for
+/// labels that name no object.
 GESTALT_EXPORT ConvertedScene read_labelled_cloud(const std::filesystem::path& file, const ReadOptions& options = {});
 
 }  // namespace gestalt

@@ -22,8 +22,9 @@ struct TumFrame {
 /// together, at most 0.02 s apart, each in one frame. Throws InputError with the line.
 GESTALT_EXPORT std::vector<TumFrame> find_tum_frames(const std::filesystem::path& sequence);
 
-/// Depth has 5000 units a metre, unless options or their camera tell another unit. Without a camera in the options the
-/// factory's of a Kinect (525 px, 640x480), as the benchmark advises.
+/// Depth has 5000 units a metre, unless options or their camera tell another unit. Without a camera in the options, or
+/// a camera.yaml of the sequence or a parent folder, the factory's of a Kinect (525 px, 640x480), as the benchmark
+/// advises.
 GESTALT_EXPORT ConvertedScene read_tum_frame(const TumFrame& frame, const ReadOptions& options = {});
 
 }  // namespace gestalt

@@ -1,19 +1,15 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <yaml-cpp/yaml.h>
-
 #include <algorithm>
-#include <charconv>
-#include <locale>
-#include <map>
+#include <boost/property_tree/xml_parser.hpp>
 #include <sstream>
+#include <tuple>
 #include <utility>
 
-#include "camera_info.h"
+#include "camera_formats.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
-#include "gestalt/core/base/suggest.h"
 #include "gestalt/io/scene/input.h"
 #include "most_pixels.h"
 
@@ -23,111 +19,142 @@ namespace fs = std::filesystem;
 
 namespace {
 
-const std::vector<std::string> keys{"width", "height", "fx", "fy", "cx", "cy", "depth_scale"};
+[[noreturn]] void fail(const fs::path& file, const YAML::Mark& mark, const std::string& what) {
+  throw InputError(file.string() + ":" + std::to_string(mark.line + 1) + ":" + std::to_string(mark.column + 1) + ": " +
+                   what);
+}
 
-/// Takes the numbers out of a YAML map and collects what is wrong with them.
-class Numbers {
- public:
-  Numbers(fs::path file, const YAML::Node& root) : file_(std::move(file)) {
-    if (!root.IsMap()) {
-      complain({}, "is no camera file; write width, height, fx, fy, cx and cy, each as 'name: number'");
-      check();
-    }
-    for (const auto& entry : root) {
-      const YAML::Mark mark = entry.first.Mark();
-      if (!entry.first.IsScalar()) {
-        complain(mark, "a key must be a word");
-        continue;
-      }
-      const std::string key = entry.first.Scalar();
-      if (std::find(keys.begin(), keys.end(), key) == keys.end())
-        complain(mark, "unknown key '" + key + "'" + did_you_mean(key, keys));
-      else if (!entries_.emplace(key, std::pair(entry.second, mark)).second)
-        complain(mark, "'" + key + "' stands here a second time; keep one");
-    }
-  }
+/// "ROS camera_info (width, height, K, D); ...".
+std::string known_formats() {
+  std::string text;
+  const auto add = [&](const auto& format) {
+    text += (text.empty() ? "" : "; ") + format.name + " (" + format.keys + ")";
+  };
+  for (const CameraFormat& format : camera_formats()) add(format);
+  for (const CameraTextFormat& format : camera_text_formats()) add(format);
+  return text;
+}
 
-  /// The number under a key, which must lie in [low, high]; meaning is for messages. Nothing when it is wrong.
-  template <class Number>
-  std::optional<Number> read(const std::string& key, Number low, Number high, const std::string& meaning) {
-    const auto found = entries_.find(key);
-    if (found == entries_.end()) {
-      complain({}, "'" + key + "' is missing: " + meaning);
-      return std::nullopt;
-    }
-    const auto& [node, mark] = found->second;
-    const std::string text = node.IsScalar() ? node.Scalar() : "";
-    Number value{};
-    const auto [end, error] = std::from_chars(text.data(), text.data() + text.size(), value);
-    if (error == std::errc{} && end == text.data() + text.size() && value >= low && value <= high) return value;
-    std::ostringstream message;
-    message.imbue(std::locale::classic());
-    message << key << (node.IsScalar() ? " is '" + text + "'" : " has no number") << "; it must be "
-            << (std::is_integral_v<Number> ? "a whole number" : "a number") << " from " << low << " to " << high << ": "
-            << meaning;
-    complain(node.IsScalar() ? node.Mark() : mark, message.str());
-    return std::nullopt;
-  }
-
-  bool has(const std::string& key) const { return entries_.count(key) > 0; }
-
-  /// Throws what was collected.
-  void check() const {
-    if (!errors_.empty()) throw InputError(errors_);
-  }
-
-  void complain(const YAML::Mark& mark, const std::string& message) {  // {} is the file's start
-    errors_ += (errors_.empty() ? "" : "\n") + file_.string() + ":" + std::to_string(mark.line + 1) + ":" +
-               std::to_string(mark.column + 1) + ": " + message;
-  }
-
- private:
-  fs::path file_;
-  std::map<std::string, std::pair<YAML::Node, YAML::Mark>> entries_;
-  std::string errors_;
-};
-
-YAML::Node parse(const fs::path& file) {
-  constexpr std::size_t longest = 1 << 16;
-  const std::string text = read_bytes(file, longest);
+YAML::Node parse_yaml(const fs::path& file, const std::string& text) {
   try {
     return YAML::Load(text);
   } catch (const YAML::Exception& error) {
-    throw InputError(file.string() + ":" + std::to_string(error.mark.line + 1) + ":" +
-                     std::to_string(error.mark.column + 1) + ": is no YAML: " + error.msg);
+    fail(file, error.mark.is_null() ? YAML::Mark() : error.mark, "is no YAML: " + error.msg);
   }
+}
+
+using Tree = boost::property_tree::ptree;
+
+YAML::Node yaml_of(const Tree& tree) {
+  YAML::Node node;
+  if (tree.empty()) return YAML::Node(tree.data());
+  for (const auto& [name, below] : tree)
+    if (name != "<xmlattr>" && name != "<xmlcomment>") node.force_insert(name, yaml_of(below));
+  return node.IsMap() ? node : YAML::Node(tree.data());  // attributes alone
+}
+
+/// OpenCV's FileStorage as XML, as if it were YAML.
+YAML::Node parse_xml(const fs::path& file, const std::string& text) {
+  constexpr std::ptrdiff_t most_tags = 2000;  // a camera has some twenty; nested ones take stack
+  if (std::count(text.begin(), text.end(), '<') > most_tags)
+    fail(file, {}, "is XML, but has too much of it for a camera");
+  Tree tree;
+  std::istringstream in(text);
+  try {
+    read_xml(in, tree, boost::property_tree::xml_parser::no_comments);
+  } catch (const boost::property_tree::xml_parser_error& error) {
+    throw InputError(file.string() + ":" + std::to_string(error.line()) + ": is no XML: " + error.message());
+  }
+  const auto storage = tree.get_child_optional("opencv_storage");
+  return yaml_of(storage ? *storage : tree);
+}
+
+const CameraFormat* format_of(const CameraEntries& entries) {
+  const auto formats = camera_formats();
+  const auto found = std::find_if(formats.begin(), formats.end(),
+                                  [&](const CameraFormat& format) { return format.recognises(entries); });
+  return found == formats.end() ? nullptr : &*found;
+}
+
+bool same(const CameraFile& a, const CameraFile& b) {
+  const auto numbers = [](const CameraFile& file) {
+    const Camera& c = file.camera;
+    return std::tuple(c.width, c.height, c.fx, c.fy, c.cx, c.cy, file.depth_scale, file.lens.model,
+                      file.lens.coefficients);
+  };
+  return numbers(a) == numbers(b);
+}
+
+/// A camera one level below: kalibr's cam0, or "color" of a RealSense. Several must be the same.
+std::optional<CameraFile> read_nested(const fs::path& file, const YAML::Node& root, bool json) {
+  constexpr std::size_t most = 256;
+  std::optional<CameraFile> result;
+  std::string name;
+  if (root.size() > most) return result;
+  for (const auto& entry : root) {
+    if (!entry.first.IsScalar() || !entry.second.IsMap()) continue;
+    CameraEntries entries(file, entry.second, json);
+    const CameraFormat* format = format_of(entries);
+    if (!format || (format == &camera_formats().back() && !entries.has("fx"))) continue;
+    CameraFile found = format->read(entries);
+    entries.check(format->name);
+    if (result && !same(*result, found))
+      fail(file, entry.first.Mark(),
+           "holds several cameras ('" + name + "', '" + entry.first.Scalar() +
+               "', ...); write the one of the images into a file of its own");
+    if (!result) name = entry.first.Scalar();
+    result = std::move(found);
+  }
+  return result;
+}
+
+CameraFile read_entries(const fs::path& file, const YAML::Node& root, bool json) {
+  const std::string unknown = "is no camera file; it may be one of: " + known_formats();
+  if (!root.IsMap()) fail(file, {}, unknown);
+  CameraEntries entries(file, root, json);
+  const CameraFormat* format = format_of(entries);
+  // Our own keys are common words: a camera below them goes before.
+  const bool own = format == &camera_formats().back();
+  if (!format || (own && !entries.has("fx") && !entries.has("fy")))
+    if (auto nested = read_nested(file, root, json)) return *std::move(nested);
+  if (!format) fail(file, {}, unknown);
+  CameraFile result = format->read(entries);
+  entries.check(own ? "" : format->name);
+  return result;
+}
+
+/// Text without a byte order mark; what Windows writes as UTF-16 becomes ASCII, as cameras have no other letters.
+std::string plain_text(const std::string& bytes) {
+  if (bytes.starts_with("\xef\xbb\xbf")) return bytes.substr(3);
+  if (!bytes.starts_with("\xff\xfe") && !bytes.starts_with("\xfe\xff")) return bytes;
+  std::string text;
+  for (std::size_t i = 2; i + 1 < bytes.size(); i += 2) text += bytes[bytes[0] == '\xff' ? i : i + 1];
+  return text;
+}
+
+CameraFile read_any(const fs::path& file) {
+  constexpr std::size_t longest = 1 << 16;
+  const std::string text = plain_text(read_bytes(file, longest));
+  for (const CameraTextFormat& format : camera_text_formats())
+    if (format.recognises(text)) return format.read(file, text);
+  const std::size_t first = text.find_first_not_of(" \t\r\n");
+  const bool xml = first != text.npos && text[first] == '<', json = first != text.npos && text[first] == '{';
+  return read_entries(file, xml ? parse_xml(file, text) : parse_yaml(file, text), json);
 }
 
 }  // namespace
 
 CameraFile read_camera(const fs::path& file) {
-  constexpr int longest_side = 1 << 20;
-  // Beyond these focal lengths single precision has no useful points.
-  constexpr double shortest_focus = 0.01, longest_focus = 1e7;
-
-  const YAML::Node root = parse(file);
-  if (is_camera_info(root)) return read_camera_info(file, root);
-  Numbers numbers(file, root);
-  const auto width = numbers.read("width", 1, longest_side, "columns of the images");
-  const auto height = numbers.read("height", 1, longest_side, "rows of the images");
-  const auto fx = numbers.read("fx", shortest_focus, longest_focus, "focal length in pixel widths");
-  const auto fy = numbers.read("fy", shortest_focus, longest_focus, "focal length in pixel heights");
-  const auto cx = numbers.read("cx", 0.0, double(width.value_or(longest_side)),
-                               "column of the principal point, which must lie in the image");
-  const auto cy = numbers.read("cy", 0.0, double(height.value_or(longest_side)),
-                               "row of the principal point, which must lie in the image");
-  CameraFile result;
-  if (numbers.has("depth_scale"))
-    result.depth_scale = numbers.read("depth_scale", 1e-6, 1.0, "metres per unit of depth.png, 0.001 for millimetres");
-  // camera.json of BOP has the same keys, but millimetres for each unit: 1, 0.1, ... No depth of 16 bits has
-  // centimetres.
-  constexpr double coarsest = 0.01;
-  if (root.Style() == YAML::EmitterStyle::Flow && result.depth_scale >= coarsest) *result.depth_scale /= 1000;
-  if (width && height && std::int64_t{*width} * *height > most_pixels)
-    numbers.complain({}, "width x height is more than 2^26 pixels; such images cannot be read");
-  numbers.check();
-  result.camera = {*width, *height, *fx, *fy, *cx, *cy};
+  CameraFile result = read_any(file);
   result.file = file;
+  if (!result.lens.distorts()) result.lens = {};
+  const Camera& c = result.camera;
+  if (std::int64_t{c.width} * c.height > most_pixels)
+    fail(file, {}, "width x height is more than 2^26 pixels; such images cannot be read");
+  const auto inside = [](double centre, int size) { return centre >= 0 && (size == 0 || centre <= size); };
+  if (!(c.fx >= 0.01 && c.fx <= 1e7 && c.fy >= 0.01 && c.fy <= 1e7) || !inside(c.cx, c.width) ||
+      !inside(c.cy, c.height))
+    fail(file, {}, "the focal lengths must be from 0.01 to 1e7 pixels, and the principal point in the image");
   return result;
 }
 

@@ -5,10 +5,6 @@
 
 #include <algorithm>
 #include <cmath>
-#include <optional>
-#include <string>
-
-#include "gestalt/core/base/error.h"
 
 namespace gestalt {
 
@@ -41,51 +37,67 @@ class Line {
   double n_ = 0, mean_x_ = 0, mean_y_ = 0, xx_ = 0, xy_ = 0;
 };
 
-}  // namespace
+/// Calls with each visible point and its pixel.
+template <class Use>
+void for_each_visible(const PointCloud& cloud, const Use& use) {
+  const std::size_t width = std::size_t(cloud.width);
+  for (std::size_t i = 0; i < cloud.points.size(); ++i)
+    if (cloud.visible(i)) use(cloud.points[i], double(i % width), double(i / width));
+}
 
-double median_reprojection_error(const PointCloud& cloud, const Camera& camera) {
+template <class Use>
+void for_each_visible(const std::vector<StoredPoint>& points, const Use& use) {
+  for (const StoredPoint& stored : points)
+    if (stored.point[2] > 0) use(stored.point, stored.pixel.x, stored.pixel.y);
+}
+
+template <class Points>
+std::optional<Camera> fit(const Points& points, cv::Size size) {
+  Line columns, rows;
+  for_each_visible(points, [&](const cv::Vec3f& p, double u, double v) {
+    columns.add(double(p[0]) / p[2], u);
+    rows.add(double(p[1]) / p[2], v);
+  });
+  const auto horizontal = columns.coefficients(), vertical = rows.coefficients();
+  if (!horizontal || !vertical) return std::nullopt;
+  return Camera{size.width, size.height, horizontal->slope, vertical->slope, horizontal->offset, vertical->offset};
+}
+
+template <class Points>
+double median_error(const Points& points, const Camera& camera) {
   std::vector<double> errors;
-  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-    if (!cloud.visible(i)) continue;
-    const cv::Vec3f& p = cloud.points[i];
-    const double u = camera.fx * p[0] / p[2] + camera.cx, v = camera.fy * p[1] / p[2] + camera.cy;
-    const double du = u - double(i % std::size_t(cloud.width)), dv = v - double(i / std::size_t(cloud.width));
+  for_each_visible(points, [&](const cv::Vec3f& p, double u, double v) {
+    const double du = camera.fx * p[0] / p[2] + camera.cx - u, dv = camera.fy * p[1] / p[2] + camera.cy - v;
     errors.push_back(std::sqrt(du * du + dv * dv));
-  }
+  });
   if (errors.empty()) return 0;
   const auto middle = errors.begin() + std::ptrdiff_t(errors.size() / 2);
   std::nth_element(errors.begin(), middle, errors.end());
   return *middle;
 }
 
-Camera fit_camera(const std::filesystem::path& file, const PointCloud& cloud) {
-  const std::string remedy = "; give --camera, or camera.yaml beside the cloud or in a parent folder";
-  Line columns, rows;
-  bool any = false;
-  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
-    if (!cloud.visible(i)) continue;
-    const cv::Vec3f& p = cloud.points[i];
-    columns.add(double(p[0]) / p[2], double(i % std::size_t(cloud.width)));
-    rows.add(double(p[1]) / p[2], double(i / std::size_t(cloud.width)));
-    any = true;
-  }
-  if (!any)
-    throw InputError(file.string() +
-                     ": no point of the cloud has finite coordinates and lies before the camera (z > 0)");
-  const auto horizontal = columns.coefficients(), vertical = rows.coefficients();
-  if (!horizontal || !vertical)
-    throw InputError(file.string() + ": the points are too few or too alike to tell the camera's intrinsics" + remedy);
-  const Camera camera{cloud.width,     cloud.height,       horizontal->slope,
-                      vertical->slope, horizontal->offset, vertical->offset};
-  const double error = median_reprojection_error(cloud, camera);
-  const bool sees_itself = camera.fx > 0 && camera.fy > 0 && camera.cx >= 0 && camera.cx <= camera.width &&
-                           camera.cy >= 0 && camera.cy <= camera.height;
-  if (!sees_itself || !(error <= largest_reprojection_error))
-    throw InputError(file.string() +
-                     ": no pinhole camera describes where the points lie in the grid (in the camera frame x points "
-                     "right, y down, z forward)" +
-                     remedy);
-  return camera;
+}  // namespace
+
+std::optional<Camera> fitted_camera(const PointCloud& cloud) { return fit(cloud, {cloud.width, cloud.height}); }
+
+std::optional<Camera> fitted_camera(const std::vector<StoredPoint>& points, cv::Size size) { return fit(points, size); }
+
+bool looks_forward(const Camera& camera) {
+  return camera.fx > 0 && camera.fy > 0 && camera.cx >= 0 && camera.cx <= camera.width && camera.cy >= 0 &&
+         camera.cy <= camera.height;
+}
+
+double median_reprojection_error(const PointCloud& cloud, const Camera& camera) { return median_error(cloud, camera); }
+
+double median_reprojection_error(const std::vector<StoredPoint>& points, const Camera& camera) {
+  return median_error(points, camera);
+}
+
+int pixel_of(const cv::Vec3f& p, const Camera& camera) {
+  const double u = std::floor(camera.fx * p[0] / p[2] + camera.cx + 0.5);
+  const double v = std::floor(camera.fy * p[1] / p[2] + camera.cy + 0.5);
+  if (!(u >= 0 && u < camera.width && v >= 0 && v < camera.height)) return -1;
+  return int(v) * camera.width + int(u);
 }
 
 }  // namespace gestalt

@@ -9,7 +9,7 @@
 #include <vector>
 
 #include "gestalt/core/base/error.h"
-#include "gestalt/core/base/file_bytes.h"
+#include "gestalt/core/base/json_file.h"
 
 namespace gestalt {
 
@@ -141,7 +141,7 @@ json image_id(const json& content, cv::Size size, const std::string& stem) {
 }  // namespace
 
 cv::Mat_<int> read_coco_labels(const fs::path& file, cv::Size size, const std::string& stem) try {
-  const json content = json::parse(read_bytes(file, largest_file), nullptr, false);
+  const json content = read_json(file, largest_file);
   const auto has_list = [&](const char* key) { return content.contains(key) && content.at(key).is_array(); };
   if (!content.is_object() || !has_list("images") || !has_list("annotations"))
     fail("is no file of COCO: it has no lists images and annotations");

@@ -4,6 +4,7 @@
 #include <algorithm>
 #include <cctype>
 
+#include "frame_files.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/scene_format.h"
@@ -26,17 +27,26 @@ bool is_closed(const fs::path& path) {
 }
 
 std::vector<fs::path> scenes_in(const fs::path& folder) {
-  std::error_code error;
-  std::vector<fs::path> scenes;
+  std::error_code error, ignored;
+  std::vector<fs::path> scenes, folders;
   fs::directory_iterator entry(folder, error);
   for (; !error && entry != fs::directory_iterator(); entry.increment(error)) {
     const fs::path& path = entry->path();
+    if (path.filename().string().starts_with('.')) continue;
     if (is_scene(path)) scenes.push_back(path);
+    if (fs::is_directory(path, ignored)) folders.push_back(path);
   }
   if (error) throw InputError(folder.string() + ": cannot be listed: " + error.message());
+  if (scenes.empty()) scenes = depth_images(folder);
   if (scenes.empty())
-    throw InputError(folder.string() + ": holds no scene; give a folder with depth.png (and rgb.png), a " +
-                     scene_extensions(" or ") + " file, or a folder of those");
+    for (const fs::path& recording : folders) {
+      const std::vector<fs::path> frames = depth_images(recording);
+      scenes.insert(scenes.end(), frames.begin(), frames.end());
+    }
+  if (scenes.empty())
+    throw InputError(folder.string() + ": holds no scene (" + seen_in(folder) +
+                     " there); give a folder with depth.png (and rgb.png), one with the folders depth/ and rgb/, a " +
+                     scene_extensions(" or ") + " file, a folder of those, or --depth and --rgb");
   std::sort(scenes.begin(), scenes.end(), scene_less);
   return scenes;
 }
@@ -50,7 +60,11 @@ std::string lower_extension(const fs::path& file) {
   return extension;
 }
 
-bool is_scene(const fs::path& path) { return scene_format_of(path) || is_closed(path); }
+bool is_scene(const fs::path& path) {
+  // An image in a folder of scenes may be anything; it is a scene where it is named.
+  const SceneFormat* const format = scene_format_of(path);
+  return format ? format->name != "frame" : is_closed(path);
+}
 
 bool scene_less(const fs::path& a, const fs::path& b) {
   return natural_less(a.filename().string(), b.filename().string());
@@ -74,7 +88,7 @@ std::vector<fs::path> find_scenes(const std::vector<fs::path>& paths) {
     const auto status = fs::status(path, error);
     if (status.type() == fs::file_type::not_found) throw InputError(path.string() + ": does not exist; check the path");
     if (error) throw InputError(path.string() + ": cannot be read: " + error.message());
-    if (is_scene(path)) {
+    if (scene_format_of(path)) {
       scenes.push_back(path);
     } else if (status.type() == fs::file_type::directory) {
       const auto inside = scenes_in(path);

@@ -6,10 +6,11 @@
 
 namespace gestalt {
 
-/// Whether the folder has depth.png or rgb.png: one that lacks its depth counts, so that reading it reports that.
+/// Whether the folder has an image of files_of_scene_folder(): one that lacks its depth counts, so that reading it
+/// reports that.
 bool is_scene_folder(const std::filesystem::path& folder);
 
-/// Reads depth.png and, where they are, rgb.png and label.png. Throws InputError.
+/// Reads depth and, where they are, colour and label.png. Throws InputError.
 Input read_scene_folder(const std::filesystem::path& folder, const ReadOptions& options);
 
 }  // namespace gestalt

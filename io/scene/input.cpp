@@ -5,6 +5,7 @@
 
 #include <algorithm>
 
+#include "colour_beside.h"
 #include "gestalt/io/scene/scene_format.h"
 
 namespace gestalt {
@@ -25,6 +26,12 @@ Input read_scene(const fs::path& path, const ReadOptions& options) {
   std::error_code ignored;
   if (!format) format = find_scene_format(fs::is_directory(path, ignored) ? "scene" : "pcd");
   Input input = format->read(path, options);
+  if (!format->extension.empty()) {
+    if (!options.colour.empty())
+      set_colour(options.colour, path, input);
+    else if (!input.frame.has_colour())
+      add_colour_beside(path, input);
+  }
   input.path = path;
   input.frame.name = scene_name(path);  // messages until here name the path
   return input;

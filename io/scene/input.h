@@ -10,6 +10,7 @@
 #include <vector>
 
 #include "gestalt/core/scene/frame.h"
+#include "gestalt/io/scene/lens.h"
 
 namespace gestalt {
 
@@ -19,14 +20,16 @@ struct CameraFile {
   /// Implicit, so that intrinsics made in memory can be given where a camera file can.
   CameraFile(const Camera& intrinsics) : camera(intrinsics) {}  // NOLINT(google-explicit-constructor)
 
-  Camera camera;
+  Camera camera;                      ///< width and height may be 0: those of the images
   std::optional<double> depth_scale;  ///< metres per unit of depth in whole numbers, in [1e-6, 1]; nothing: not told
   std::filesystem::path file;         ///< where it was read; empty when made in memory
+  Lens lens{};                        ///< of a camera that is no pinhole; camera is its matrix
+  std::vector<std::string> notes{};   ///< what was guessed as it was read
 };
 
-/// Reads width, height, fx, fy, cx, cy (pixels) and, where present, depth_scale from YAML; no other key is allowed.
-/// Or a camera_info of ROS without distortion.
-/// Throws InputError with all errors of the file together, each `file:line:column: message`, counted from 1.
+/// Reads intrinsics as people have them, in any of the formats of docs/formats.md: width, height, fx, fy, cx, cy
+/// (pixels) and, where present, depth_scale in YAML; what ROS, OpenCV, Open3D, RealSense, COLMAP, kalibr and others
+/// write. Throws InputError with all errors of the file together, each `file:line:column: message`, counted from 1.
 GESTALT_EXPORT CameraFile read_camera(const std::filesystem::path& file);
 
 /// What the numbers of a depth image or array say.
@@ -57,6 +60,7 @@ struct ReadOptions {
       depth_scale;  ///< metres per unit of every depth and cloud, whole numbers or not, in [1e-9, 1e4]
   DepthKind depth_kind = DepthKind::plain;
   LabelScheme labels = LabelScheme::guess;
+  std::filesystem::path colour;  ///< image of a scene that is one file, in place of what would be found
 };
 
 /// Depth in metres, each the float that is nearest to raw * scale; scale as CameraFile::depth_scale.
@@ -76,6 +80,8 @@ struct Input {
                                          ///< hidden behind a nearer one), -1 = outside the image, behind the camera or
                                          ///< without a finite position
   std::string depth_unit;                ///< of the file's numbers and who tells it: "0.001 m, the default"
+  std::string camera_from;               ///< the file, or what else tells the camera; "" where it was not noted
+  std::string colour_from;               ///< the file, where colour is an image of its own; else ""
   std::vector<std::string> warnings;     ///< what is probably not as it was read; each names its file
   std::vector<std::string> notes;        ///< what was taken for certain though no file tells it; without its file
   std::string ground_truth_problem;      ///< why the labels that are there are not in ground_truth; empty: nothing

@@ -151,7 +151,7 @@ TEST_F(SceneFolder, MayBeOnePixel) {
 
 TEST_F(SceneFolder, IsRefusedWithoutDepth) {
   fs::remove(scene() / "depth.png");
-  expect_refusal({"s/depth.png: does not exist", "16-bit PNG"});
+  expect_refusal({"s: camera.yaml is there, but no depth image", "depth.png", "16-bit grey"});
   fs::create_directory(scene() / "depth.png");
   expect_refusal({"s/depth.png: is a folder"});
 }
@@ -160,14 +160,15 @@ TEST_F(SceneFolder, IsRefusedWhenDepthIsEmptyOrNoPng) {
   folder_.write("s/depth.png", "");
   expect_refusal({"depth.png: is empty"});
   folder_.write("s/depth.png", "II* a float TIFF");
-  expect_refusal({"depth.png: is not a PNG", "convert"});
+  expect_refusal({"depth.png: is no image that can be read", "save it as PNG"});
 }
 
 TEST_F(SceneFolder, IsRefusedWhereverAPngIsCut) {
   const std::string whole = png(depth_4x3());
   for (std::size_t size = 1; size < whole.size(); ++size) {
     folder_.write("s/depth.png", whole.substr(0, size));
-    expect_refusal({size < 8 ? "depth.png: is not a PNG" : "depth.png: is truncated or damaged at byte"});
+    expect_refusal(
+        {size < 8 ? "depth.png: is no image that can be read" : "depth.png: is truncated or damaged at byte"});
   }
 }
 
@@ -201,10 +202,14 @@ TEST_F(SceneFolder, IsRefusedForOtherKindsOfDepth) {
   expect_refusal({"depth.png: is 16-bit RGB"});
 }
 
-TEST_F(SceneFolder, IsRefusedForOtherKindsOfColourAndLabels) {
-  folder_.write("s/rgb.png", png(cv::Mat(3, 4, CV_16UC3, cv::Scalar(9))));
-  expect_refusal({"rgb.png: is 16-bit RGB", "8 bits"});
-  fs::remove(scene() / "rgb.png");
+TEST_F(SceneFolder, TakesSixteenBitColour) {
+  folder_.write("s/rgb.png", png(cv::Mat(3, 4, CV_16UC3, cv::Scalar(257, 514, 65535))));
+  EXPECT_EQ(read_scene(scene()).frame.colour.at<cv::Vec3b>(2, 3), cv::Vec3b(1, 2, 255));
+  folder_.write("s/rgb.png", png(cv::Mat(3, 4, CV_16UC3, cv::Scalar(1, 2, 255))));  // of 8 bits, stored in 16
+  EXPECT_EQ(read_scene(scene()).frame.colour.at<cv::Vec3b>(2, 3), cv::Vec3b(1, 2, 255));
+}
+
+TEST_F(SceneFolder, IsRefusedForOtherKindsOfLabels) {
   folder_.write("s/label.png", png(cv::Mat(3, 4, CV_8UC3, cv::Scalar(9))));
   expect_refusal({"label.png: is 8-bit RGB", "label numbers"});
 }
@@ -229,7 +234,7 @@ TEST_F(SceneFolder, IsRefusedWhenNoPixelHasDepth) {
 TEST_F(SceneFolder, IsRefusedWithoutACamera) {
   fs::remove(scene() / "camera.yaml");
   if (find_camera_file(scene())) GTEST_SKIP() << "the temporary folder lies below a camera.yaml";
-  expect_refusal({"s: has no camera.yaml", "--camera"});
+  expect_refusal({"s/depth.png: has no camera (depth.png is in", "--camera"});
 }
 
 TEST_F(SceneFolder, IsRefusedBeforeDecodingWhenItDeclaresTooManyPixels) {
@@ -291,7 +296,7 @@ TEST_F(CameraYaml, IsRefusedForUnknownAndRepeatedKeys) {
 }
 
 TEST_F(CameraYaml, IsRefusedForIntrinsicsThatAreNoPositiveNumbers) {
-  for (const std::string value : {"0", "-525", "nan", ".nan", "inf", "1e999", "5,25", "abc", "''", "[525]", "1e300"}) {
+  for (const std::string value : {"0", "-525", "nan", ".nan", "inf", "1e999", "5,250", "abc", "''", "[525]", "1e300"}) {
     const std::string text = "width: 4\nheight: 3\nfx:  " + value + "\nfy: 2\ncx: 1\ncy: 1\n";
     const std::string message = refusal(text);
     EXPECT_EQ(message.find(value == "[525]" ? "F:3:1: fx" : "F:3:6: fx is "), 0u) << message;
@@ -305,7 +310,7 @@ TEST_F(CameraYaml, IsRefusedForAPrincipalPointOutsideTheImage) {
 }
 
 TEST_F(CameraYaml, IsRefusedForSizesThatAreNoWholePositiveNumbers) {
-  for (const std::string value : {"0", "-4", "4.0", "0x10", "99999999999"})
+  for (const std::string value : {"0", "-4", "4.5", "0x10", "99999999999"})
     EXPECT_EQ(refusal("width: " + value + "\nheight: 3\nfx: 2\nfy: 2\ncx: 1\ncy: 1\n").find("F:1:8: width is "), 0u);
   expect_parts(refusal("width: 1000000\nheight: 1000000\nfx: 2\nfy: 2\ncx: 1\ncy: 1\n"), {"F:1:1: ", "2^26"});
 }
@@ -344,8 +349,9 @@ class FindScenes : public testing::Test {
 };
 
 TEST_F(FindScenes, GivesTheScenesOfAFolderInNaturalOrder) {
-  for (const char* file : {"learn10/depth.png", "learn2/depth.png", "learn2b/depth.png", "learn02/depth.png",
-                           "learn1/rgb.png", "learn3.pcd", "b.PCD", "notes.txt", "learn.csv", "empty/x.txt"})
+  for (const char* file :
+       {"learn10/depth.png", "learn2/depth.png", "learn2b/depth.png", "learn02/depth.png", "learn1/rgb.png",
+        "learn3.pcd", "b.PCD", "notes.txt", ".c.pcd", ".d/depth.png", "picture.png", "learn.csv", "empty/x.txt"})
     folder_.write(file, "x");
   const std::vector<std::string> expected{"b.PCD", "learn1", "learn02", "learn2", "learn2b", "learn3.pcd", "learn10"};
   EXPECT_EQ(names({folder_.path()}), expected);

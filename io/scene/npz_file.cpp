@@ -5,11 +5,13 @@
 
 #include <zip.h>
 
+#include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstring>
 #include <memory>
 #include <numeric>
-#include <regex>
+#include <string_view>
 
 #include "deflate.h"
 #include "gestalt/core/base/error.h"
@@ -49,9 +51,119 @@ Archive open(const fs::path& file, const std::string& bytes) {
   return Archive(archive);
 }
 
-/// What the header of an .npy file says; place is for messages.
+/// The dictionary of an .npy file's header, one line of Python that numpy wrote: {'descr': '<f4', 'fortran_order':
+/// False, 'shape': (480, 640), }. place is for messages.
+class NpyHeader {
+ public:
+  NpyHeader(std::string place, std::string_view text) : place_(std::move(place)), text_(text) {}
+
+  /// Sets kind and size; gives whether the bytes of an element are to be turned round.
+  bool read_type(NpyArray& array) const {
+    const std::string_view value = value_of("descr");
+    if (value.starts_with('['))
+      fail("is a structured array (fields of several types); write each field as an array of its own");
+    const std::string_view type = value.substr(1, value.substr(1).find_first_of("'\""));
+    if (type.ends_with('O'))
+      fail("is a pickled object of Python, which cannot be read safely; write arrays: " + unpickled());
+    const bool known = type.size() == 3 && std::string_view("<>|=").find(type[0]) != type.npos &&
+                       std::string_view("uifb").find(type[1]) != type.npos &&
+                       std::string_view("1248").find(type[2]) != type.npos;
+    if (!known || (type[1] == 'f' && type[2] == '1'))
+      fail("has the type '" + std::string(type.substr(0, 20)) + "'; write it as integers or floats of up to 8 bytes");
+    array.kind = type[1];
+    array.size = type[2] - '0';
+    return type[0] == '>' && array.size > 1;
+  }
+
+  bool is_fortran() const {
+    const std::string_view value = value_of("fortran_order");
+    if (!value.starts_with("True") && !value.starts_with("False")) reject("fortran_order");
+    return value.starts_with("True");
+  }
+
+  /// Extents whose product is at most most_bytes.
+  std::vector<std::size_t> shape() const {
+    std::string_view value = value_of("shape");
+    const std::size_t end = value.find(')');
+    if (!value.starts_with('(') || end == value.npos) reject("shape");
+    value = value.substr(1, end - 1);
+    std::vector<std::size_t> shape;
+    std::size_t count = 1;
+    while (!value.empty()) {
+      if (value[0] == ' ' || value[0] == ',' || value[0] == 'L') {  // L: a long integer of Python 2
+        value.remove_prefix(1);
+        continue;
+      }
+      std::size_t extent = 0;
+      const auto [last, error] = std::from_chars(value.data(), value.data() + value.size(), extent);
+      if (error == std::errc::invalid_argument) reject("shape");
+      if (error != std::errc{} || (extent && count > most_bytes / extent)) fail("its header claims too large a shape");
+      shape.push_back(extent);
+      if (shape.size() > most_dimensions) reject("shape");
+      count *= extent;
+      value.remove_prefix(std::size_t(last - value.data()));
+    }
+    return shape;
+  }
+
+ private:
+  static constexpr std::size_t most_dimensions = 32;  // numpy's own limit
+
+  [[noreturn]] void fail(const std::string& what) const { throw InputError(place_ + ": " + what); }
+  [[noreturn]] void reject(std::string_view key) const {
+    fail("its header has no valid '" + std::string(key) + "'; write it with numpy.savez, as numbers");
+  }
+
+  static std::string unpickled() {
+    return "numpy.savez_compressed('scene.npz', **numpy.load(FILE, allow_pickle=True).item()) where FILE is a "
+           "dictionary "
+           "of them";
+  }
+
+  /// What follows "'key':".
+  std::string_view value_of(std::string_view key) const {
+    for (const char quote : {'\'', '"'}) {
+      std::string quoted(1, quote);
+      quoted.append(key).push_back(quote);
+      const std::size_t at = text_.find(quoted);
+      if (at == text_.npos) continue;
+      std::string_view value = text_.substr(at + quoted.size());
+      const auto skip_spaces = [&] { value.remove_prefix(std::min(value.find_first_not_of(" \t"), value.size())); };
+      skip_spaces();
+      if (!value.starts_with(':')) continue;
+      value.remove_prefix(1);
+      skip_spaces();
+      if (!value.empty()) return value;
+    }
+    reject(key);
+  }
+
+  std::string place_;
+  std::string_view text_;
+};
+
+/// The elements of an array that lies column by column, row by row.
+std::string in_c_order(const NpyArray& array, const std::string& columns) {
+  const std::size_t dimensions = array.shape.size(), size = std::size_t(array.size), count = array.count();
+  std::vector<std::size_t> index(dimensions), stride(dimensions);  // elements
+  for (std::size_t i = 0, step = 1; i < dimensions; step *= array.shape[i++]) stride[i] = step;
+  std::string rows(columns.size(), '\0');
+  std::size_t from = 0;
+  for (std::size_t to = 0; to < count; ++to) {
+    std::memcpy(rows.data() + to * size, columns.data() + from * size, size);
+    for (std::size_t i = dimensions; i-- > 0;) {  // the next index, the last one first
+      from += stride[i];
+      if (++index[i] < array.shape[i]) break;
+      from -= stride[i] * array.shape[i];
+      index[i] = 0;
+    }
+  }
+  return rows;
+}
+
+/// An array by the bytes of an .npy file; place is for messages.
 NpyArray parse(const std::string& place, std::string bytes) {
-  const auto fail = [&](const std::string& what) -> std::string { throw InputError(place + ": " + what); };
+  const auto fail = [&](const std::string& what) { throw InputError(place + ": " + what); };
   const auto byte = [&](std::size_t i) { return std::size_t(std::uint8_t(bytes[i])); };
   if (bytes.size() < 10 || bytes.compare(0, 6, magic) != 0) fail("is no array of numpy; write it with numpy.savez");
   const std::size_t wide = byte(6) >= 2 ? 4 : 2, begin = 8 + wide;
@@ -59,41 +171,27 @@ NpyArray parse(const std::string& place, std::string bytes) {
   std::size_t length = 0;
   for (std::size_t i = 0; i < wide; ++i) length |= byte(8 + i) << (8 * i);
   if (length > most_header || begin + length > bytes.size()) fail("breaks off in its header; write it again");
-  const std::string header = bytes.substr(begin, length);
-  const auto value_of = [&](const std::string& key, const std::string& pattern) {
-    std::smatch match;
-    return std::regex_search(header, match, std::regex("'" + key + "'\\s*:\\s*" + pattern))
-               ? match[1].str()
-               : fail("its header has no valid '" + key + "'; write it with numpy.savez, as numbers");
-  };
   NpyArray array;
-  const std::string type = value_of("descr", "'([^']*)'");
-  static const std::regex numeric("[<|]([uifb])([1248])");
-  std::smatch match;
-  if (!std::regex_match(type, match, numeric))
-    fail("has the type '" + type.substr(0, 20) + "'; write it little-endian, as integers or floats of up to 8 bytes");
-  array.kind = match[1].str()[0];
-  array.size = match[2].str()[0] - '0';
-  if (value_of("fortran_order", "(True|False)") == "True")
-    fail("is in Fortran order; write numpy.ascontiguousarray of it");
-  const std::string shape = value_of("shape", "\\(([0-9, L]*)\\)");
-  static const std::regex number("[0-9]+");
-  std::size_t count = 1;
-  for (std::sregex_iterator one(shape.begin(), shape.end(), number), end; one != end; ++one) {
-    const std::string digits = one->str();
-    std::size_t extent = 0;
-    const auto [last, error] = std::from_chars(digits.data(), digits.data() + digits.size(), extent);
-    if (error != std::errc{} || last != digits.data() + digits.size() || (extent && count > most_bytes / extent))
-      fail("its header claims too large a shape");
-    array.shape.push_back(extent);
-    count *= extent;
-  }
+  const NpyHeader header(place, std::string_view(bytes).substr(begin, length));
+  const bool reversed = header.read_type(array), columns = header.is_fortran();
+  array.shape = header.shape();
   bytes.erase(0, begin + length);
-  if (bytes.size() != count * std::size_t(array.size))
-    fail("has " + std::to_string(bytes.size()) + " bytes of data, its shape needs " +
-         std::to_string(count * std::size_t(array.size)) + "; write it again");
-  array.bytes = std::move(bytes);
+  const std::size_t size = std::size_t(array.size), needed = array.count() * size;
+  if (bytes.size() != needed)
+    fail("has " + std::to_string(bytes.size()) + " bytes of data, its shape needs " + std::to_string(needed) +
+         "; write it again");
+  if (reversed)
+    for (std::size_t at = 0; at < needed; at += size) std::reverse(bytes.data() + at, bytes.data() + at + size);
+  array.bytes = columns && array.shape.size() > 1 ? in_c_order(array, bytes) : std::move(bytes);
   return array;
+}
+
+/// Of half precision (IEEE 754 binary16).
+double from_half(std::uint16_t bits) {
+  const int exponent = bits >> 10 & 31, fraction = bits & 1023;
+  const double sign = bits >> 15 ? -1 : 1;
+  if (exponent == 31) return fraction ? std::nan("") : sign * HUGE_VAL;
+  return sign * (exponent ? std::ldexp(1024 + fraction, exponent - 25) : std::ldexp(fraction, -24));
 }
 
 /// Bytes of an array that its file's directory claims, when that may be: of a file of so many bytes, of whose arrays so
@@ -152,6 +250,11 @@ double NpyArray::at(std::size_t index) const {
   };
   switch (kind) {
     case 'f':
+      if (size == 2) {
+        std::uint16_t bits = 0;
+        std::memcpy(&bits, element, sizeof bits);
+        return from_half(bits);
+      }
       return size == 4 ? as(float{}) : as(double{});
     case 'i':
       return size == 1   ? as(std::int8_t{})
@@ -178,12 +281,12 @@ std::map<std::string, NpyArray> read_npz(const fs::path& file, std::span<const s
     const auto index = zip_uint64_t(found);
     const std::size_t size = claimed_size(place, archive.get(), index, bytes.size(), left);
     left -= size;
-    NpyArray array = read_array(place, archive.get(), index, size);
-    if (array.kind == 'f' && array.size < 4) throw InputError(place + " is of half precision; write it as float32");
-    arrays.emplace(name, std::move(array));
+    arrays.emplace(name, read_array(place, archive.get(), index, size));
   }
   return arrays;
 }
+
+NpyArray read_npy(const fs::path& file) { return parse(file.string(), read_bytes(file, most_bytes + most_header)); }
 
 std::string encode_npz(const std::map<std::string, NpyArray>& arrays) {
   std::map<std::string, std::string> files;  // live until the archive is closed

@@ -23,11 +23,14 @@ struct NpyArray {
   double at(std::size_t index) const;
 };
 
-/// The arrays of a .npz file (as numpy.savez or savez_compressed writes it) that have one of these names. Throws
-/// InputError naming the file and the array: for what is no such file, for arrays of objects, Fortran order or big
-/// endian, and, before memory is taken for them, for arrays of more than 2^30 bytes together or more than their packed
-/// bytes can be.
+/// The arrays of a .npz file (as numpy.savez or savez_compressed writes it) that have one of these names; those in
+/// Fortran order or big-endian are turned. Throws InputError naming the file and the array: for what is no such file,
+/// for arrays of objects, and, before memory is taken for them, for arrays of more than 2^30 bytes together or more
+/// than their packed bytes can be.
 std::map<std::string, NpyArray> read_npz(const std::filesystem::path& file, std::span<const std::string> names);
+
+/// The array of a .npy file, as numpy.save writes it. Throws InputError as read_npz() does.
+NpyArray read_npy(const std::filesystem::path& file);
 
 /// The bytes of a compressed .npz file. Arrays by their names. Throws OutputError.
 std::string encode_npz(const std::map<std::string, NpyArray>& arrays);

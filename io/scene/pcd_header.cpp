@@ -5,6 +5,7 @@
 
 #include <algorithm>
 #include <charconv>
+#include <cmath>
 #include <cstdint>
 #include <optional>
 #include <set>
@@ -30,17 +31,19 @@ class PcdHeaderReader {
     if (is("VERSION")) version();
     expect(is("FIELDS") || is("COLUMNS"), "FIELDS");
     names();
-    expect(is("SIZE"), "SIZE");
-    sizes();
-    expect(is("TYPE"), "TYPE");
-    types();
+    expect(is("SIZE") || old_, "SIZE");
+    if (is("SIZE")) sizes();
+    expect(is("TYPE") || old_, "TYPE");
+    if (is("TYPE")) types();
     if (is("COUNT")) counts();
     lay_out();
-    expect(is("WIDTH"), "WIDTH");
-    header_.width = int(extent());
-    expect(is("HEIGHT"), "HEIGHT");
-    header_.height = int(extent());
-    if (is("VIEWPOINT")) line_.next();  // where the sensor stood in the world: the points are in the camera frame
+    expect(is("WIDTH") || old_, "WIDTH");
+    if (is("WIDTH")) {
+      header_.width = int(extent());
+      expect(is("HEIGHT"), "HEIGHT");
+      header_.height = int(extent());
+    }
+    if (is("VIEWPOINT")) viewpoint();
     expect(is("POINTS"), "POINTS");
     points();
     expect(is("DATA"), "DATA");
@@ -65,9 +68,10 @@ class PcdHeaderReader {
   }
 
   void version() {
-    const std::set<std::string_view> known{"0.6", ".6", "0.7", ".7"};
+    const std::set<std::string_view> known{"0.5", ".5", "0.6", ".6", "0.7", ".7"};
     if (line_.size() != 2 || !known.count(line_[1]))
-      line_.fail("only PCD versions 0.6 and 0.7 can be read; convert the file with PCL");
+      line_.fail("only PCD versions 0.5, 0.6 and 0.7 can be read; convert the file with PCL");
+    old_ = line_[1].ends_with(".5");
     line_.next();
   }
 
@@ -118,11 +122,14 @@ class PcdHeaderReader {
     expect_one_for_each_field();
     for (std::size_t i = 1; i < line_.size(); ++i) {
       const auto count = number(line_[i]);
-      if (!count || *count < 1 || *count > most)
+      if (!count || *count > most)
         line_.fail("count " + shown(line_[i]) + " of field " + shown(header_.fields[i - 1].name) +
-                   " must be from 1 to 65536");
+                   " must be from 0 to 65536");
       header_.fields[i - 1].count = *count;
     }
+    // Such a field takes no bytes; drivers write padding so.
+    std::erase_if(header_.fields, [](const PcdHeader::Field& field) { return field.count == 0; });
+    if (header_.fields.empty()) line_.fail("every field has the count 0; correct the header");
     line_.next();
   }
 
@@ -135,14 +142,36 @@ class PcdHeaderReader {
   }
 
   std::uint64_t extent() {
+    const std::uint64_t value = extent_here();
+    line_.next();
+    return value;
+  }
+
+  std::uint64_t extent_here() const {
     const auto value = line_.size() == 2 ? number(line_[1]) : std::nullopt;
     if (!value || *value < 1 || *value > std::uint64_t{most_pixels})
       line_.fail(std::string(line_[0]) + " must be one whole number from 1 to 2^26; correct the header");
-    line_.next();
     return *value;
   }
 
+  /// One that is not a position and a rotation is left out, as PCL does.
+  void viewpoint() {
+    std::array<double, 7> values{};
+    bool sound = line_.size() == values.size() + 1;
+    for (std::size_t i = 0; sound && i < values.size(); ++i) {
+      const std::string_view word = line_[i + 1];
+      const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), values[i]);
+      sound = error == std::errc{} && end == word.data() + word.size() && std::isfinite(values[i]);
+    }
+    if (sound) header_.viewpoint = values;
+    line_.next();
+  }
+
   void points() {
+    if (header_.width == 0) {  // version 0.5: one row of all points
+      header_.width = int(extent_here());
+      header_.height = 1;
+    }
     const std::uint64_t product = std::uint64_t(header_.width) * std::uint64_t(header_.height);
     const auto value = line_.size() == 2 ? number(line_[1]) : std::nullopt;
     if (value != product)
@@ -165,6 +194,7 @@ class PcdHeaderReader {
 
   HeaderLine line_;
   PcdHeader header_;
+  bool old_ = false;  ///< version 0.5, in which sizes, types and the grid may be missing
 };
 
 }  // namespace

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <array>
 #include <cstddef>
 #include <cstdint>
 #include <filesystem>
@@ -16,7 +17,7 @@ namespace gestalt {
 /// Of a PCD or PLY file.
 constexpr std::uintmax_t largest_cloud_file = std::uintmax_t{1} << 32;  // bytes
 
-/// What the header of a PCD file (version 0.6 or 0.7) declares, checked for consistency.
+/// What the header of a PCD file (version 0.5, 0.6 or 0.7) declares, checked for consistency.
 struct PcdHeader {
   struct Field {
     std::string name;    ///< "_" is padding
@@ -29,9 +30,12 @@ struct PcdHeader {
   };
   enum class Data { ascii, binary, binary_compressed };
 
-  std::vector<Field> fields;  ///< not empty; names differ, but for padding
+  std::vector<Field> fields;  ///< not empty; names differ, but for padding; without those of count 0
   int width = 0;              ///< columns of an organized cloud, or the number of points
   int height = 0;             ///< rows; 1 for an unorganized cloud
+  /// Where the sensor stood in the frame of the points: position in metres, then the quaternion w x y z, not
+  /// normalised.
+  std::array<double, 7> viewpoint{0, 0, 0, 1, 0, 0, 0};
   Data data = Data::ascii;
   std::size_t body = 0;  ///< offset of the first byte after the header
   int lines = 0;         ///< of the header: the body starts in line lines + 1

@@ -7,6 +7,7 @@
 #include <map>
 #include <optional>
 #include <string>
+#include <unordered_set>
 
 #include "header_line.h"
 #include "most_pixels.h"
@@ -34,17 +35,17 @@ class PlyHeaderReader {
   PlyHeaderReader(const fs::path& file, std::string_view bytes)
       : line_(file, bytes, "PLY", [](std::string_view word) { return word == "comment" || word == "obj_info"; }) {}
 
-  PcdHeader read() {
+  PlyHeader read() {
     line_.next();
     if (line_[0] != "ply") line_.fail("a PLY file begins with 'ply', not " + shown(line_[0]));
     for (line_.next(); line_[0] != "end_header"; line_.next()) take_line();
     if (!has_format_) line_.fail("the header has no line 'format'");
-    if (header_.fields.empty())
+    if (vertices_.fields.empty())
       line_.fail("the header has no element 'vertex' with properties; a cloud needs x, y and z");
-    if (header_.points() * header_.point_bytes() > most_cloud_bytes)
+    if (vertices_.points() * vertices_.point_bytes() > most_cloud_bytes)
       line_.fail("the cloud has more than 2^31 bytes; divide it");
-    header_.body = line_.end();
-    header_.lines = line_.number();
+    vertices_.body = line_.end();
+    vertices_.lines = line_.number();
     return std::move(header_);
   }
 
@@ -58,48 +59,71 @@ class PlyHeaderReader {
 
   void take_format() {
     const std::string_view format = line_.size() == 3 ? line_[1] : "";
-    if (format != "ascii" && format != "binary_little_endian")
-      line_.fail("expected 'format ascii 1.0' or 'format binary_little_endian 1.0'; write the cloud as one of these");
-    header_.data = format == "ascii" ? PcdHeader::Data::ascii : PcdHeader::Data::binary;
+    header_.big_endian = format == "binary_big_endian";
+    if (format != "ascii" && format != "binary_little_endian" && !header_.big_endian)
+      line_.fail("expected 'format ascii 1.0', 'format binary_little_endian 1.0' or 'format binary_big_endian 1.0'");
+    vertices_.data = format == "ascii" ? PcdHeader::Data::ascii : PcdHeader::Data::binary;
     has_format_ = true;
   }
 
   void take_element() {
+    const auto count = line_.size() == 3 ? number(line_[2]) : std::nullopt;
     if (line_.size() != 3) line_.fail("expected 'element NAME COUNT'");
     in_vertex_ = line_[1] == "vertex";
-    if (!in_vertex_ && header_.width == 0)
-      line_.fail("element " + shown(line_[1]) + " stands before 'vertex'; write the vertices first");
-    if (!in_vertex_) return;
-    std::size_t count = 0;
-    const auto [end, error] = std::from_chars(line_[2].data(), line_[2].data() + line_[2].size(), count);
-    if (error != std::errc{} || end != line_[2].data() + line_[2].size() || count == 0 ||
-        count > std::size_t{most_pixels})
-      line_.fail("the number of vertices must be from 1 to 2^26");
-    if (header_.width) line_.fail("'vertex' stands here a second time");
-    header_.width = int(count);
-    header_.height = 1;
+    if (!in_vertex_ && vertices_.width > 0) return;
+    if (!count || *count > std::size_t{most_pixels} || (in_vertex_ && *count == 0))
+      line_.fail(in_vertex_ ? "the number of vertices must be from 1 to 2^26"
+                            : "the number of an element that stands before the vertices must be from 0 to 2^26");
+    if (!in_vertex_) {
+      header_.before.push_back({*count, {}});
+      return;
+    }
+    if (vertices_.width) line_.fail("'vertex' stands here a second time");
+    vertices_.width = int(*count);
+    vertices_.height = 1;
   }
 
   void take_property() {
-    if (!in_vertex_) return;
+    if (in_vertex_) return take_vertex_property();
+    if (vertices_.width > 0) return;  // of what follows the vertices
+    if (header_.before.empty()) line_.fail("a property stands before the first element; write the cloud again");
+    const bool list = line_.size() == 5 && line_[1] == "list";
+    const auto scalar = scalars.find(list ? line_[3] : line_.size() == 3 ? line_[1] : "");
+    const auto length = list ? scalars.find(line_[2]) : scalar;
+    if (scalar == scalars.end() || length == scalars.end() || (list && length->second.type == 'F'))
+      line_.fail("expected 'property TYPE NAME' or 'property list TYPE TYPE NAME' with types as float or uchar");
+    PlyHeader::Property property{scalar->second.size};
+    if (list) property.length_size = length->second.size, property.length_type = length->second.type;
+    header_.before.back().properties.push_back(property);
+  }
+
+  void take_vertex_property() {
     const auto scalar = line_.size() == 3 ? scalars.find(line_[1]) : scalars.end();
     if (scalar == scalars.end())
       line_.fail(
           "a property of a vertex must be 'property TYPE NAME' with a type as float or uchar; write vertices without "
           "lists");
-    const std::string name(line_[2]);
-    if (header_.find(name)) line_.fail("property " + shown(name) + " stands here a second time");
-    const std::size_t offset = header_.fields.empty() ? 0 : header_.point_bytes();
-    header_.fields.push_back({name, scalar->second.type, scalar->second.size, 1, offset});
+    if (!names_.emplace(line_[2]).second) line_.fail("property " + shown(line_[2]) + " stands here a second time");
+    const std::size_t offset = vertices_.fields.empty() ? 0 : vertices_.point_bytes();
+    vertices_.fields.push_back({std::string(line_[2]), scalar->second.type, scalar->second.size, 1, offset});
+  }
+
+  static std::optional<std::size_t> number(std::string_view word) {
+    std::size_t value = 0;
+    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
+    if (error != std::errc{} || end != word.data() + word.size()) return std::nullopt;
+    return value;
   }
 
   HeaderLine line_;
-  PcdHeader header_;
+  PlyHeader header_;
+  PcdHeader& vertices_ = header_.vertices;
+  std::unordered_set<std::string_view> names_;  ///< of the vertices' properties
   bool has_format_ = false, in_vertex_ = false;
 };
 
 }  // namespace
 
-PcdHeader parse_ply_header(const fs::path& file, std::string_view bytes) { return PlyHeaderReader(file, bytes).read(); }
+PlyHeader parse_ply_header(const fs::path& file, std::string_view bytes) { return PlyHeaderReader(file, bytes).read(); }
 
 }  // namespace gestalt

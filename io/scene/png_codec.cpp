@@ -66,9 +66,8 @@ void decode(png_structp png, png_infop info, Job& job, bool colour, std::size_t 
     png_set_gray_to_rgb(png);
     png_set_strip_alpha(png);
     png_set_bgr(png);
-  } else if (png_get_bit_depth(png, info) == 16) {
-    png_set_swap(png);
   }
+  if (png_get_bit_depth(png, info) == 16) png_set_swap(png);
   png_set_interlace_handling(png);
   png_read_update_info(png, info);
   if (png_get_rowbytes(png, info) != row_bytes || png_get_image_height(png, info) != job.rows.size())

@@ -7,6 +7,7 @@
 #include <string>
 #include <string_view>
 
+#include "colour_image.h"
 #include "deflate.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
@@ -100,8 +101,11 @@ cv::Mat decode(const fs::path& file, std::string_view bytes, const PngHeader& he
 cv::Mat read_colour_png(const fs::path& file) {
   const std::string bytes = read_bytes(file, largest_png);
   const PngHeader header = check_png(file, bytes);
-  if (header.bits > 8) reject_png(file, "is " + header.pixels() + "; save colour with 8 bits a channel");
-  return decode(file, bytes, header, CV_8UC3);
+  if (header.bits <= 8) return decode(file, bytes, header, CV_8UC3);
+  std::string problem;
+  cv::Mat colour = as_colour(decode(file, bytes, header, CV_16UC3), problem);
+  if (!problem.empty()) reject_png(file, problem);
+  return colour;
 }
 
 cv::Mat_<std::uint16_t> read_depth_png(const fs::path& file) {

@@ -13,7 +13,8 @@ namespace gestalt {
 // All throw InputError naming the file and the remedy for a file that is no complete PNG, that has more than 2^26
 // pixels, or has another kind of pixels than said.
 
-/// Any 8-bit image (grey, colour, palette, with or without alpha) as CV_8UC3, blue green red; alpha is dropped.
+/// Any image (grey, colour, palette, with or without alpha, of up to 16 bits) as CV_8UC3, blue green red; alpha is
+/// dropped, and 16 bits are reduced as as_colour() says.
 GESTALT_EXPORT cv::Mat read_colour_png(const std::filesystem::path& file);
 
 /// One channel of 16 bits.

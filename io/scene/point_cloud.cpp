@@ -3,21 +3,17 @@
 
 #include "point_cloud.h"
 
-#include <liblzf/lzf.h>
-
+#include <algorithm>
 #include <array>
-#include <charconv>
 #include <cmath>
 #include <cstring>
-#include <limits>
 #include <string>
-#include <string_view>
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
 #include "gestalt/io/scene/pcd_header.h"
-#include "header_line.h"
-#include "ply_header.h"
+#include "pcd_body.h"
+#include "ply_body.h"
 
 namespace gestalt {
 
@@ -27,126 +23,6 @@ namespace {
 
 [[noreturn]] void reject_cloud(const fs::path& file, const std::string& what) {
   throw InputError(file.string() + ": " + what);
-}
-
-/// Takes a word of an ascii cloud for a value of the field's type and appends its bytes. False when it is none.
-bool append_value(std::string_view word, const PcdHeader::Field& field, std::string& points) {
-  if (word.size() > 1 && word[0] == '+' && word[1] != '-') word.remove_prefix(1);
-  const auto parse = [&](auto& value) {
-    const auto [end, error] = std::from_chars(word.data(), word.data() + word.size(), value);
-    return error == std::errc{} && end == word.data() + word.size();
-  };
-  const auto append = [&](const auto& value) { points.append(reinterpret_cast<const char*>(&value), sizeof value); };
-  if (field.type == 'F') {
-    double value = 0;
-    if (!parse(value)) return false;
-    if (field.size == 8) return append(value), true;
-    if (std::isfinite(value) && std::abs(value) > std::numeric_limits<float>::max()) return false;
-    return append(float(value)), true;
-  }
-  // The lower bytes of the value: PCD files are little-endian, as x86 is.
-  const int bits = 8 * field.size;
-  std::uint64_t whole = 0;
-  if (field.type == 'U') {
-    if (!parse(whole) || whole > ~std::uint64_t{0} >> (64 - bits)) return false;
-  } else {
-    std::int64_t value = 0;
-    const std::int64_t high = std::numeric_limits<std::int64_t>::max() >> (64 - bits);
-    if (!parse(value) || value > high || value < -high - 1) return false;
-    whole = std::uint64_t(value);
-  }
-  points.append(reinterpret_cast<const char*>(&whole), std::size_t(field.size));
-  return true;
-}
-
-/// Every point must have a row with one value of the right type for each element.
-std::string read_ascii(const fs::path& file, const PcdHeader& header, std::string_view bytes) {
-  constexpr std::string_view blank = " \t\r";
-  const std::string_view body = bytes.substr(header.body);
-  std::string points;
-  int line_number = header.lines;
-  std::size_t at = 0;
-  for (std::size_t point = 0; point < header.points();) {
-    if (at >= body.size())
-      reject_cloud(file, "has " + std::to_string(point) + " rows of points, the header promises " +
-                             std::to_string(header.points()) + "; the file is truncated, write it again");
-    const std::size_t end = std::min(body.find('\n', at), body.size());
-    const std::string_view line = body.substr(at, end - at);
-    at = std::min(end + 1, body.size());
-    ++line_number;
-    if (line.empty()) continue;
-
-    const auto wrong = [&](const std::string& what) {
-      throw InputError(file.string() + ":" + std::to_string(line_number) + ": " + what + "; correct the row");
-    };
-    std::size_t word_at = line.find_first_not_of(blank);
-    for (const PcdHeader::Field& field : header.fields)
-      for (std::size_t i = 0; i < field.count; ++i) {
-        if (word_at == line.npos) wrong("the row ends before field " + shown(field.name));
-        const std::size_t word_end = std::min(line.find_first_of(blank, word_at), line.size());
-        const std::string_view word = line.substr(word_at, word_end - word_at);
-        if (field.name == "_")
-          points.append(std::size_t(field.size), '\0');
-        else if (!append_value(word, field, points))
-          wrong(shown(word) + " is no value of field " + shown(field.name) + " (" + field.type +
-                std::to_string(field.size) + ")");
-        word_at = line.find_first_not_of(blank, word_end);
-      }
-    if (word_at != line.npos) wrong("the row has more values than the header has fields");
-    ++point;
-  }
-  return points;
-}
-
-std::string read_binary(const fs::path& file, const PcdHeader& header, std::string_view bytes) {
-  const std::size_t have = bytes.size() - header.body, need = header.points() * header.point_bytes();
-  if (have < need)
-    reject_cloud(file, "has " + std::to_string(have) + " bytes of points, the header promises " + std::to_string(need) +
-                           "; the file is truncated, write it again");
-  return std::string(bytes.substr(header.body, need));
-}
-
-/// Bytes that LZF makes of one at most: three name 264 earlier ones.
-constexpr std::size_t most_expanded = 88;
-
-/// Compressed by LZF are the first elements' values of all points, then the second ones', and so on.
-std::string read_compressed(const fs::path& file, const PcdHeader& header, std::string_view bytes) {
-  if (header.find("_"))
-    reject_cloud(file, "has padding fields '_', which compressed clouds cannot have; write it as DATA binary");
-  std::uint32_t sizes[2];  // compressed, uncompressed
-  const std::size_t have = bytes.size() - header.body, need = header.points() * header.point_bytes();
-  if (have >= sizeof sizes) std::memcpy(sizes, bytes.data() + header.body, sizeof sizes);
-  if (have < sizeof sizes || have - sizeof sizes < sizes[0])
-    reject_cloud(file, "has " + std::to_string(have) +
-                           " bytes of compressed points, fewer than it promises; the file is "
-                           "truncated, write it again");
-  if (sizes[1] != need)
-    reject_cloud(file, "promises " + std::to_string(sizes[1]) + " uncompressed bytes, its header " +
-                           std::to_string(need) + "; header and data do not belong together, write it again");
-  if (need / most_expanded > sizes[0])
-    reject_cloud(file, "promises " + std::to_string(need) + " bytes of points, more than its " +
-                           std::to_string(sizes[0]) + " compressed ones can be; write it again");
-  std::string fields(need, '\0');
-  if (lzf_decompress(bytes.data() + header.body + sizeof sizes, sizes[0], fields.data(), unsigned(need)) != need)
-    reject_cloud(file, "has damaged compressed data; copy or write it again");
-  std::string points(need, '\0');
-  std::size_t from = 0;
-  for (const PcdHeader::Field& field : header.fields)
-    for (std::size_t point = 0; point < header.points(); ++point, from += field.bytes())
-      std::memcpy(&points[point * header.point_bytes() + field.offset], &fields[from], field.bytes());
-  return points;
-}
-
-/// The points one after another, each as the header lays it out.
-std::string read_body(const fs::path& file, const PcdHeader& header, std::string_view bytes) {
-  switch (header.data) {
-    case PcdHeader::Data::ascii:
-      return read_ascii(file, header, bytes);
-    case PcdHeader::Data::binary:
-      return read_binary(file, header, bytes);
-    default:
-      return read_compressed(file, header, bytes);
-  }
 }
 
 /// The elements of a field, point by point.
@@ -167,6 +43,32 @@ class Elements {
   std::size_t step_;
 };
 
+/// A field of any type as numbers; count must be 1.
+class Numbers {
+ public:
+  Numbers(const std::string& points, const PcdHeader& header, const PcdHeader::Field& field)
+      : elements_(points, header, field), type_(field.type), size_(field.size) {}
+
+  double at(std::size_t point) const {
+    if (type_ == 'F') return size_ == 4 ? double(elements_.at<float>(point)) : elements_.at<double>(point);
+    if (type_ == 'U') return whole<std::uint8_t, std::uint16_t, std::uint32_t, std::uint64_t>(point);
+    return whole<std::int8_t, std::int16_t, std::int32_t, std::int64_t>(point);
+  }
+
+ private:
+  template <class One, class Two, class Four, class Eight>
+  double whole(std::size_t point) const {
+    return size_ == 1   ? double(elements_.at<One>(point))
+           : size_ == 2 ? double(elements_.at<Two>(point))
+           : size_ == 4 ? double(elements_.at<Four>(point))
+                        : double(elements_.at<Eight>(point));
+  }
+
+  Elements elements_;
+  char type_;
+  int size_;
+};
+
 void take_points(const fs::path& file, const PcdHeader& header, const std::string& points, PointCloud& result) {
   result.points.resize(header.points());
   for (int axis = 0; axis < 3; ++axis) {
@@ -175,32 +77,91 @@ void take_points(const fs::path& file, const PcdHeader& header, const std::strin
     if (!field) reject_cloud(file, "has no field '" + name + "'; a cloud needs the fields x, y and z");
     if (field->type != 'F' || field->count != 1)
       reject_cloud(file, "field '" + name + "' must be one number of type F; write the cloud again");
-    const Elements elements(points, header, *field);
-    for (std::size_t i = 0; i < header.points(); ++i)
-      result.points[i][axis] = field->size == 4 ? elements.at<float>(i) : float(elements.at<double>(i));
+    const Numbers numbers(points, header, *field);
+    for (std::size_t i = 0; i < header.points(); ++i) result.points[i][axis] = float(numbers.at(i));
   }
 }
 
-/// Of fields red, green and blue, as PLY files have them.
-void take_channels(const fs::path& file, const PcdHeader& header, const std::string& points, PointCloud& result) {
-  static constexpr std::array<const char*, 3> names{"blue", "green", "red"};
+/// Red, green and blue by the names that programs give them; null where one is missing.
+std::array<const PcdHeader::Field*, 3> find_channels(const PcdHeader& header) {
+  static constexpr std::array<std::array<const char*, 3>, 3> names{
+      {{"red", "green", "blue"}, {"r", "g", "b"}, {"diffuse_red", "diffuse_green", "diffuse_blue"}}};
+  for (const auto& [red, green, blue] : names) {
+    const std::array found{header.find(red), header.find(green), header.find(blue)};
+    if (found[0] && found[1] && found[2]) return found;
+  }
+  return {};
+}
+
+std::uint8_t byte_of(double value) { return std::uint8_t(std::lround(std::clamp(value, 0.0, 255.0))); }
+
+/// What to multiply channels with for 0 to 255: floats are 0 to 1 as a rule, and 16-bit whole numbers take their range.
+double channel_scale(const PcdHeader::Field& field, double largest) {
+  if (field.type == 'F') return largest <= 1 ? 255 : 1;
+  return field.size == 1 || largest <= 255 ? 1 : 255.0 / 65535;
+}
+
+void take_channels(const fs::path& file, const PcdHeader& header, const std::array<const PcdHeader::Field*, 3>& fields,
+                   const std::string& points, PointCloud& result) {
+  double least = 0, largest = 0;
+  for (const PcdHeader::Field* field : fields) {
+    if (field->count != 1) reject_cloud(file, "field '" + field->name + "' must be one number; write the cloud again");
+    const Numbers numbers(points, header, *field);
+    for (std::size_t i = 0; i < header.points(); ++i) {
+      const double value = numbers.at(i);
+      if (std::isfinite(value)) least = std::min(least, value), largest = std::max(largest, value);
+    }
+  }
+  if (least < 0 || largest > 65535)
+    reject_cloud(file, "field '" + fields[0]->name +
+                           "' must be a colour from 0 to 1, to 255 or to 65535; write the cloud again");
+  result.colours.resize(header.points());
   for (int channel = 0; channel < 3; ++channel) {
-    const PcdHeader::Field* field = header.find(names[std::size_t(channel)]);
-    if (!field) return;
-    if (field->type != 'U' || field->size != 1 || field->count != 1)
-      reject_cloud(file, "property '" + field->name + "' must be of type uchar; write the cloud again");
-    result.colours.resize(header.points());
-    const Elements elements(points, header, *field);
-    for (std::size_t i = 0; i < header.points(); ++i) result.colours[i][channel] = elements.at<std::uint8_t>(i);
+    const PcdHeader::Field& field = *fields[std::size_t(2 - channel)];  // blue first
+    const Numbers numbers(points, header, field);
+    const double scale = channel_scale(field, largest);
+    for (std::size_t i = 0; i < header.points(); ++i) {
+      const double value = numbers.at(i);
+      if (std::isfinite(value)) result.colours[i][channel] = byte_of(scale * value);
+    }
+  }
+}
+
+/// How much came back of the sensor's light, as grey from the darkest to the brightest; single reflections may be far
+/// brighter than all else.
+void take_intensity(const PcdHeader& header, const PcdHeader::Field& field, const std::string& points,
+                    PointCloud& result) {
+  const Numbers numbers(points, header, field);
+  std::vector<double> sorted;
+  for (std::size_t i = 0; i < header.points(); ++i)
+    if (const double value = numbers.at(i); std::isfinite(value) && result.visible(i)) sorted.push_back(value);
+  if (sorted.empty()) return;
+  const auto quantile = [&](double share) {
+    const auto at = sorted.begin() + std::ptrdiff_t(share * double(sorted.size() - 1));
+    std::nth_element(sorted.begin(), at, sorted.end());
+    return *at;
+  };
+  const double low = quantile(0.01), high = quantile(0.99);
+  result.colours.resize(header.points());
+  for (std::size_t i = 0; i < header.points(); ++i) {
+    const double value = numbers.at(i);
+    const std::uint8_t grey = !std::isfinite(value) ? 0
+                              : high > low          ? byte_of(255 * (value - low) / (high - low))
+                                                    : 128;
+    result.colours[i] = {grey, grey, grey};
   }
 }
 
 void take_colours(const fs::path& file, const PcdHeader& header, const std::string& points, PointCloud& result) {
-  if (header.find("red") && header.find("green") && header.find("blue"))
-    return take_channels(file, header, points, result);
+  const auto channels = find_channels(header);
+  if (channels[0]) return take_channels(file, header, channels, points, result);
   const PcdHeader::Field* field = header.find("rgb");
   if (!field) field = header.find("rgba");
-  if (!field) return;
+  if (!field) {
+    field = header.find("intensity");
+    if (field && field->count == 1) take_intensity(header, *field, points, result);
+    return;
+  }
   if (field->size != 4 || field->count != 1)
     reject_cloud(file, "field '" + field->name + "' must be one packed colour of 4 bytes; write the cloud again");
   result.colours.resize(header.points());
@@ -213,42 +174,29 @@ void take_colours(const fs::path& file, const PcdHeader& header, const std::stri
 }
 
 void take_labels(const fs::path& file, const PcdHeader& header, const std::string& points, PointCloud& result) {
+  constexpr double largest = 65535;
   const PcdHeader::Field* field = header.find("label");
   if (!field) return;
-  if (field->type == 'F' || field->count != 1)
-    reject_cloud(file, "field 'label' must be one whole number; write the cloud again");
-  const Elements elements(points, header, *field);
-  const auto read = [&](std::size_t i) -> std::uint64_t {
-    switch (field->size) {
-      case 1:
-        return elements.at<std::uint8_t>(i);
-      case 2:
-        return elements.at<std::uint16_t>(i);
-      case 4:
-        return elements.at<std::uint32_t>(i);
-      default:
-        return elements.at<std::uint64_t>(i);
-    }
-  };
-  // A negative label reads as a large one.
-  const std::uint64_t largest = field->type == 'I' && field->size == 1   ? 127
-                                : field->type == 'I' && field->size == 2 ? 32767
-                                                                         : 65535;
+  if (field->count != 1) reject_cloud(file, "field 'label' must be one whole number; write the cloud again");
+  const Numbers numbers(points, header, *field);
   result.labels.resize(header.points());
   for (std::size_t i = 0; i < header.points(); ++i) {
-    const std::uint64_t label = read(i);
-    if (label > largest)
-      reject_cloud(file, "point " + std::to_string(i) + " has a label outside 0 to " + std::to_string(largest) +
-                             "; write the cloud without the field 'label', or with labels as docs/formats.md says");
+    const double label = numbers.at(i);
+    if (std::isnan(label)) continue;  // of a point without a measurement: no label
+    if (!(label >= 0 && label <= largest && label == std::floor(label)))
+      reject_cloud(file, "point " + std::to_string(i) +
+                             " has a label that is no whole number from 0 to 65535; write the cloud without the field "
+                             "'label', or with labels as docs/formats.md says");
     result.labels[i] = std::uint16_t(label);
   }
 }
 
-PointCloud read_points(const fs::path& file, const PcdHeader& header, std::string_view bytes) {
-  const std::string points = read_body(file, header, bytes);
+/// From the points as a file's header lays them out.
+PointCloud cloud_of(const fs::path& file, const PcdHeader& header, const std::string& points) {
   PointCloud result;
   result.width = header.width;
   result.height = header.height;
+  result.viewpoint = header.viewpoint;
   take_points(file, header, points, result);
   take_colours(file, header, points, result);
   take_labels(file, header, points, result);
@@ -264,12 +212,14 @@ bool PointCloud::visible(std::size_t i) const {
 
 PointCloud read_pcd(const fs::path& file) {
   const std::string bytes = read_bytes(file, largest_cloud_file);
-  return read_points(file, parse_pcd_header(file, bytes), bytes);
+  const PcdHeader header = parse_pcd_header(file, bytes);
+  return cloud_of(file, header, read_pcd_body(file, header, bytes));
 }
 
 PointCloud read_ply(const fs::path& file) {
   const std::string bytes = read_bytes(file, largest_cloud_file);
-  return read_points(file, parse_ply_header(file, bytes), bytes);
+  const PlyHeader header = parse_ply_header(file, bytes);
+  return cloud_of(file, header.vertices, read_ply_body(file, header, bytes));
 }
 
 std::string encode_pcd(const PointCloud& cloud) {

@@ -7,6 +7,7 @@
 #include <pcl/io/pcd_io.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
 #include <cstring>
 #include <limits>
@@ -280,7 +281,7 @@ TEST_F(Pcd, ReadsWhatOtherProgramsWrite) {
 }
 
 TEST_F(Pcd, RefusesAWrongHeader) {
-  expect_refusal("VERSION 0.7", "VERSION 0.5", {"c.pcd:2: ", "versions 0.6 and 0.7"});
+  expect_refusal("VERSION 0.7", "VERSION 0.4", {"c.pcd:2: ", "versions 0.5, 0.6 and 0.7"});
   expect_refusal("FIELDS x y z", "FIELDS", {"c.pcd:3: ", "names no field"});
   expect_refusal("FIELDS x y z", "FIELDS x x z", {"c.pcd:3: ", "'x' is there twice"});
   expect_refusal("FIELDS x y z", "FIELDS x y w", {"c.pcd: has no field 'z'"});
@@ -290,7 +291,10 @@ TEST_F(Pcd, RefusesAWrongHeader) {
   expect_refusal("SIZE 4 4 4", "SIZE 4 4 2", {"c.pcd:5: type 'F' of field 'z' with 2 bytes"});
   expect_refusal("TYPE F F F", "TYPE F F Q", {"c.pcd:5: type 'Q' of field 'z'"});
   expect_refusal("TYPE F F F", "TYPE F F U", {"c.pcd: field 'z' must be one number of type F"});
-  expect_refusal("COUNT 1 1 1", "COUNT 1 1 0", {"c.pcd:6: count '0' of field 'z'"});
+  expect_refusal(
+      "COUNT 1 1 1\nWIDTH 2\nHEIGHT 2\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 4\nDATA ascii\n0 0 1\n0.5 0 1\n0 0.25 1\n0.5 "
+      "0.25 1",
+      "COUNT 1 1 0\nWIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA ascii\n0 0\n1 1", {"c.pcd: has no field 'z'"});
   expect_refusal("COUNT 1 1 1", "COUNT 1 1 99999999999999999999", {"c.pcd:6: count '9999"});
   expect_refusal("WIDTH 2", "WIDTH -2", {"c.pcd:7: WIDTH must be"});
   expect_refusal("WIDTH 2", "WIDTH 0", {"c.pcd:7: WIDTH must be"});
@@ -337,8 +341,10 @@ TEST_F(Pcd, RefusesRowsThatDoNotFitTheFields) {
 TEST_F(Pcd, RefusesLabelsThatAreNone) {
   const std::string header =
       "FIELDS x y z label\nSIZE 4 4 4 4\nTYPE F F F I\nWIDTH 1\nHEIGHT 2\nPOINTS 2\nDATA ascii\n";
-  expect_parts(error_of(write(header + "0 0 1 1\n0 0 1 -1\n")), {"point 1 has a label outside 0 to 65535"});
-  expect_parts(error_of(write(header + "0 0 1 70000\n0 0 1 1\n")), {"point 0 has a label outside 0 to 65535"});
+  expect_parts(error_of(write(header + "0 0 1 1\n0 0 1 -1\n")),
+               {"point 1 has a label that is no whole number from 0 to 65535"});
+  expect_parts(error_of(write(header + "0 0 1 70000\n0 0 1 1\n")),
+               {"point 0 has a label that is no whole number from 0 to 65535"});
 }
 
 TEST_F(Pcd, ReadsLabelsOfAnySize) {
@@ -360,7 +366,125 @@ TEST_F(Pcd, RefusesColoursAndLabelsOfAnotherKind) {
   };
   expect_parts(error_of(with_field("rgb", "8", "F")), {"c.pcd: field 'rgb' must be one packed colour of 4 bytes"});
   expect_parts(error_of(with_field("rgba", "2", "U")), {"c.pcd: field 'rgba' must be one packed colour of 4 bytes"});
-  expect_parts(error_of(with_field("label", "4", "F")), {"c.pcd: field 'label' must be one whole number"});
+  expect_parts(
+      error_of(write("FIELDS x y z label\nSIZE 4 4 4 4\nTYPE F F F F\nWIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA ascii\n"
+                     "0 0 1 1\n0.5 0 1 1.5\n")),
+      {"c.pcd: point 1 has a label that is no whole number"});
+}
+
+// A cloud of 2x2 points with fields beside x, y, z; each has a row of its values for the four points.
+class OtherFields : public Pcd {
+ protected:
+  Input read(const std::string& fields, const std::string& sizes, const std::string& types,
+             const std::array<const char*, 4>& rows) const {
+    std::string text = "FIELDS x y z " + fields + "\nSIZE 4 4 4 " + sizes + "\nTYPE F F F " + types +
+                       "\nWIDTH 2\nHEIGHT 2\nPOINTS 4\nDATA ascii\n";
+    const std::array<const char*, 4> positions{"0 0 1 ", "0.5 0 1 ", "0 0.25 1 ", "0.5 0.25 1 "};
+    for (std::size_t i = 0; i < 4; ++i) text += std::string(positions[i]) + rows[i] + "\n";
+    return read_scene(write(text));
+  }
+};
+
+TEST_F(OtherFields, ColourMayBeThreeFields) {
+  for (const char* names : {"red green blue", "r g b", "diffuse_red diffuse_green diffuse_blue"})
+    EXPECT_EQ(read(names, "1 1 1", "U U U", {"1 2 3", "4 5 6", "7 8 9", "255 0 1"}).frame.colour.at<cv::Vec3b>(1, 0),
+              cv::Vec3b(9, 8, 7));
+  EXPECT_EQ(read("b r g", "1 1 1", "U U U", {"1 2 3", "4 5 6", "7 8 9", "255 0 1"}).frame.colour.at<cv::Vec3b>(0, 1),
+            cv::Vec3b(4, 6, 5));
+}
+
+TEST_F(OtherFields, ColourMayBeFloatsOrSixteenBits) {
+  EXPECT_EQ(
+      read("r g b", "4 4 4", "F F F", {"1 0 0.2", "0 0 0", "0.4 nan 0", "1 1 1"}).frame.colour.at<cv::Vec3b>(0, 0),
+      cv::Vec3b(51, 0, 255));
+  EXPECT_EQ(read("r g b", "8 8 8", "F F F", {"255 0 17", "0 0 0", "1 0 0", "9 9 9"}).frame.colour.at<cv::Vec3b>(0, 0),
+            cv::Vec3b(17, 0, 255));
+  EXPECT_EQ(
+      read("r g b", "2 2 2", "U U U", {"65535 0 257", "0 0 0", "1 0 0", "9 9 9"}).frame.colour.at<cv::Vec3b>(0, 0),
+      cv::Vec3b(1, 0, 255));
+  EXPECT_THROW(read("r g b", "4 4 4", "F F F", {"1e9 0 0", "0 0 0", "0 0 0", "0 0 0"}), InputError);
+  EXPECT_THROW(read("r g b", "4 4 4", "F F F", {"-1 0 0", "0 0 0", "0 0 0", "0 0 0"}), InputError);
+}
+
+TEST_F(OtherFields, IntensityIsGrey) {
+  const cv::Mat colour = read("intensity", "4", "F", {"100", "300", "200", "nan"}).frame.colour;
+  EXPECT_EQ(colour.at<cv::Vec3b>(0, 0), cv::Vec3b(0, 0, 0));
+  EXPECT_GE(colour.at<cv::Vec3b>(0, 1)[0], 250);
+  EXPECT_EQ(colour.at<cv::Vec3b>(1, 1), cv::Vec3b(0, 0, 0));
+  EXPECT_EQ(read("intensity rgb", "4 4", "F U", {"1 1", "2 2", "3 3", "4 4"}).frame.colour.at<cv::Vec3b>(0, 1),
+            cv::Vec3b(2, 0, 0));
+}
+
+TEST_F(OtherFields, LabelsMayBeFloats) {
+  const Input input = read("label", "4", "F", {"20", "30.0", "nan", "65535"});
+  const cv::Mat_<std::uint16_t> expected = (cv::Mat_<std::uint16_t>(2, 2) << 20, 30, 0, 65535);
+  EXPECT_EQ(cv::norm(input.ground_truth, expected, cv::NORM_INF), 0);
+}
+
+TEST_F(Pcd, LeavesOutFieldsOfCountZero) {
+  const Input input = read_scene(
+      write("FIELDS x y _ z\nSIZE 4 4 1 4\nTYPE F F U F\nCOUNT 1 1 0 1\nWIDTH 2\nHEIGHT 2\nPOINTS 4\nDATA ascii\n"
+            "0 0 1\n0.5 0 1\n0 0.25 1\n0.5 0.25 1\n"));
+  EXPECT_NEAR(input.frame.camera.fx, 2, 1e-6);
+  expect_parts(error_of(write("FIELDS x\nSIZE 4\nTYPE F\nCOUNT 0\nWIDTH 2\n")),
+               {"c.pcd:4: every field has the count 0"});
+}
+
+TEST_F(Pcd, ReadsTheOldVersion) {
+  EXPECT_NEAR(read_scene(write_with("VERSION 0.7", "VERSION .5")).frame.camera.fx, 2, 1e-6);
+  const Input row = read_scene(write("# .PCD v.5\nVERSION .5\nCOLUMNS x y z\nPOINTS 4\nDATA ascii\n"
+                                     "0 0 1\n0.5 0 1\n0 0.25 1\n0.5 0.25 1\n"),
+                               Camera{2, 2, 2, 4, 0, 0});
+  EXPECT_EQ(row.point_pixels, (std::vector<int>{0, 1, 2, 3}));
+}
+
+class Ply : public testing::Test {
+ protected:
+  /// The four points of a 2x2 image, read with its camera.
+  Input read(const std::string& format, const std::string& elements, const std::string& body) const {
+    return read_scene(folder_.write("c.ply", "ply\nformat " + format + " 1.0\n" + elements + "end_header\n" + body),
+                      Camera{2, 2, 2, 4, 0, 0});
+  }
+
+  void expect_four(const Input& input) const {
+    EXPECT_EQ(input.point_pixels, (std::vector<int>{0, 1, 2, 3}));
+    EXPECT_EQ(input.frame.depth(1, 1), 1.0f);
+  }
+
+  const std::string vertices_ = "element vertex 4\nproperty float x\nproperty float y\nproperty float z\n";
+  const std::string rows_ = "0 0 1\n0.5 0 1\n0 0.25 1\n0.5 0.25 1\n";
+  TemporaryFolder folder_;
+};
+
+TEST_F(Ply, VerticesMayStandInAnyLines) {
+  expect_four(read("ascii", vertices_, rows_));
+  expect_four(read("ascii", vertices_, "0 0\n1 0.5\n\n0 1 0 0.25 1 0.5\n0.25\r\n1"));
+  EXPECT_THROW(read("ascii", vertices_, "0 0 1 0.5 0 1 0 0.25 1 0.5 0.25"), InputError);
+}
+
+TEST_F(Ply, ElementsMayStandBeforeTheVertices) {
+  const std::string before = "element camera 1\nproperty float f\nproperty list uchar short k\nelement none 2\n";
+  expect_four(read("ascii", before + vertices_, "7.5\n2 8 9\n" + rows_));
+  std::string points;
+  for (const float value : {0.F, 0.F, 1.F, 0.5F, 0.F, 1.F, 0.F, 0.25F, 1.F, 0.5F, 0.25F, 1.F})
+    points.append(reinterpret_cast<const char*>(&value), 4);
+  expect_four(read("binary_little_endian", before + vertices_, std::string("1234\2abcd", 9) + points));
+  EXPECT_THROW(read("binary_little_endian", before + vertices_, std::string("1234\377abcd", 9) + points), InputError);
+  EXPECT_THROW(read("ascii", before + vertices_, "7.5\n99999999999999 8 9\n" + rows_), InputError);
+  EXPECT_THROW(read("ascii", before + vertices_, "7.5\n-1 8 9\n" + rows_), InputError);
+}
+
+TEST_F(Ply, NumbersMayBeBigEndian) {
+  std::string points;
+  for (const double value : {0., 0., 1., 0.5, 0., 1., 0., 0.25, 1., 0.5, 0.25, 1.}) {
+    std::array<char, 8> bytes{};
+    std::memcpy(bytes.data(), &value, 8);
+    points.append(bytes.rbegin(), bytes.rend());
+  }
+  const std::string vertices = "element vertex 4\nproperty double x\nproperty double y\nproperty double z\n";
+  expect_four(read("binary_big_endian", vertices, points));
+  expect_four(read("binary_big_endian", "element a 1\nproperty list ushort uchar b\n" + vertices,
+                   std::string("\0\3xyz", 5) + points));
 }
 
 TEST_F(Pcd, SkipsPadding) {
@@ -399,7 +523,8 @@ TEST_F(Pcd, RefusesWhatIsNoPcd) {
 TEST_F(Pcd, RefusesAnUnorganizedCloudWithoutACamera) {
   const fs::path file = write_with("WIDTH 2\nHEIGHT 2", "WIDTH 4\nHEIGHT 1");
   if (find_camera_file(file)) GTEST_SKIP() << "the temporary folder lies below a camera.yaml";
-  expect_parts(error_of(file), {"c.pcd: is an unorganized cloud", "--camera"});
+  expect_parts(error_of(file),
+               {"c.pcd: is an unorganized cloud (HEIGHT 1) without a camera", "too few", "give --camera"});
   folder_.write("camera.yaml", "width: 8\nheight: 6\nfx: 10\nfy: 12\ncx: 3.5\ncy: 2.25\n");
   EXPECT_EQ(read_scene(file).frame.width(), 8);
 }

@@ -21,7 +21,9 @@ cv::Size size_of(const Camera& camera);
 /// "640x480".
 std::string text(cv::Size size);
 
-/// Throws InputError unless the camera is made for images of this size, which that of the file has.
-void check_size(const CameraFile& camera, cv::Size size, const std::filesystem::path& image);
+/// The camera for an image of this size: as it is where its own is equal or not told, scaled where the images have one
+/// aspect. What was done, and what was guessed when its file was read, is among the input's notes and warnings. Throws
+/// InputError for another aspect, and for a principal point outside the image.
+Camera camera_for(const CameraFile& camera, cv::Size size, const std::filesystem::path& image, Input& input);
 
 }  // namespace gestalt

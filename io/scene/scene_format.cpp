@@ -9,6 +9,7 @@
 
 #include "cloud_scene.h"
 #include "folder_scene.h"
+#include "frame_scene.h"
 #include "gestalt/io/scene/scene_path.h"
 #include "npz_scene.h"
 
@@ -23,6 +24,8 @@ std::span<const SceneFormat> scene_formats() {
       {"pcd", ".pcd", "clouds", "cloud", points, nullptr, read_pcd_scene, pcd_facts, encode_pcd_scene},
       {"ply", ".ply", "clouds", "PLY cloud", camera_file, nullptr, read_ply_scene, nullptr, encode_ply_scene},
       {"npz", ".npz", "arrays of numpy", "scene of arrays", scene, nullptr, read_npz_scene, nullptr, encode_npz_scene},
+      {"frame", "", "depth images with their colour, one by one or in recordings", "frame", camera_file, is_frame,
+       read_frame_scene},
   };
   return formats;
 }
@@ -32,9 +35,7 @@ const SceneFormat* scene_format_of(const fs::path& path) {
   const bool folder = fs::is_directory(path, ignored);
   const std::string extension = lower_extension(path);
   for (const SceneFormat& format : scene_formats())
-    if (folder ? format.recognises && format.recognises(path)
-               : !format.extension.empty() && format.extension == extension)
-      return &format;
+    if (format.recognises ? format.recognises(path) : !folder && format.extension == extension) return &format;
   return nullptr;
 }
 

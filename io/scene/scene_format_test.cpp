@@ -50,6 +50,7 @@ class SceneFormats : public testing::Test {
 TEST_F(SceneFormats, EachIsFoundAndRead) {
   for (const SceneFormat& format : scene_formats()) {
     SCOPED_TRACE(format.name);
+    if (format.name == "frame") continue;  // tests/formats/frames_test.py
     const fs::path scene = write(format);
     EXPECT_EQ(scene_format_of(scene), &format);
     EXPECT_EQ(find_scene_format(format.name), &format);
@@ -70,7 +71,7 @@ TEST_F(SceneFormats, EachHasANameAndAnExtensionOfItsOwnAndWords) {
   std::set<std::string> names, extensions;
   for (const SceneFormat& format : scene_formats()) {
     EXPECT_TRUE(names.insert(format.name).second) << format.name;
-    EXPECT_TRUE(extensions.insert(format.extension).second) << format.extension;
+    EXPECT_TRUE(format.extension.empty() || extensions.insert(format.extension).second) << format.extension;
     EXPECT_EQ(format.extension, lower_extension("x" + format.extension));
     EXPECT_EQ(format.extension.empty(), format.recognises != nullptr) << format.name;
     EXPECT_FALSE(format.summary.empty() || format.kind.empty()) << format.name;

@@ -302,7 +302,8 @@ TEST_F(Segment, ColourIsNotNeededByAConfigWithoutColourRelations) {
   fs::copy(synthetic_scenes(), scenes, fs::copy_options::recursive);
   for (int i = 0; i < 4; ++i) fs::remove(scenes / synthetic_scene(i).filename() / "rgb.png");
   const fs::path scene = scenes / "mixed_objects_1_000";
-  expect_refused(segment({scene}), 3, {"mixed_objects_1_000", "no colour", "colour_histogram", "rgb.png"});
+  expect_refused(segment({scene, "--config", "default.yaml"}), 3,
+                 {"mixed_objects_1_000", "no colour", "colour_histogram", "rgb.png"});
   EXPECT_EQ(files_below(out), std::vector<std::string>{});
 
   const fs::path config = folder.write("shape.yaml",

@@ -105,18 +105,17 @@ class Npz(FormatsTest):
         good = {"depth": depth, "rgb": rgb[..., ::-1], "K": K}
         for text, change in (
             ("no array 'depth'", {"depth": None}),
-            ("array 'depth' has the shape (480, 640, 1)", {"depth": depth[..., None]}),
-            ("array 'rgb' must be of uint8 and have the shape (480, 640, 3)", {"rgb": rgb[1:]}),
+            ("array 'depth' has the shape (480, 640, 2)", {"depth": numpy.dstack([depth, depth])}),
+            ("array 'rgb' is of 640x479 pixels, depth of 640x480", {"rgb": rgb[1:]}),
+            ("array 'rgb' must be of numbers and have the shape (480, 640, 3)", {"rgb": rgb[..., :2]}),
             ("array 'K' must have the shape (3, 3)", {"K": K[0]}),
             ("no array 'K', nor is there a camera.yaml", {"K": None}),
             ("array 'label' has a label outside of 0 to 65535", {"label": label.astype(int) - 1}),
             ("array 'label' must be of integers and have the shape (480, 640)", {"label": label[1:]}),
             ("array 'label' must be of integers and have the shape (480, 640)", {"label": label.astype(float)}),
-            ("array 'depth': is in Fortran order", {"depth": numpy.asfortranarray(depth)}),
-            ("array 'depth': has the type '>u2'", {"depth": depth.astype(">u2")}),
-            ("half precision", {"depth": depth.astype(numpy.float16)}),
+            ("array 'depth': has the type '<c8'", {"depth": depth.astype(numpy.complex64)}),
             ("array 'depth_scale' must be one number", {"depth_scale": numpy.array([1, 2])}),
-            ("array 'depth': ", {"depth": numpy.array([[{}]])}),
+            ("array 'depth': is a pickled object", {"depth": numpy.array([[{}]])}),
         ):
             with self.subTest(text):
                 arrays = {name: array for name, array in {**good, **change}.items() if array is not None}
@@ -206,19 +205,19 @@ class Ply(FormatsTest):
         head, vertices = self.write_ply(file, after=False)
         body = vertices.tobytes()
         for text, damaged in (
-            ("wrong.ply:2: expected 'format ascii 1.0'", head.replace("little", "big")),
+            ("wrong.ply:2: expected 'format ascii 1.0'", head.replace("little", "middle")),
             ("the number of vertices must be from 1 to 2^26", head.replace(f"vertex {len(vertices)}", "vertex 99999999999")),
             ("the number of vertices must be from 1 to 2^26", head.replace(f"vertex {len(vertices)}", "vertex -1")),
             ("has no field 'x'", head.replace("float x", "float a")),
             ("stands here a second time", head.replace("float y", "float x")),
             ("must be 'property TYPE NAME'", head.replace("property float z", "property list uchar int z")),
-            ("the header promises", head.replace(f"vertex {len(vertices)}", f"vertex {len(vertices) + 1}")),
-            ("must be of type uchar", head.replace("uchar red", "char red")),
+            ("ends within vertex", head.replace(f"vertex {len(vertices)}", f"vertex {len(vertices) + 1}")),
+            ("must be a colour from 0 to 1", head.replace("uchar red", "char red")),
             ("is no line of a PLY header", head.replace("comment", "remark")),
             ("the PLY header breaks off here", head[:100]),
             ("'vertex'", "ply\nformat ascii 1.0\nend_header\n"),
             ("wrong.ply:1: a PLY file begins with 'ply', not 'plyx'", head.replace("ply", "plyx", 1)),
-            ("stands before 'vertex'", "ply\nformat ascii 1.0\nelement face 1\nelement vertex 1\nend_header\n"),
+            ("ends within what stands before the vertices", head.replace("element vertex", "element a 9999999\nproperty int b\nelement vertex")),
         ):
             with self.subTest(text):
                 file.write_bytes(damaged.encode() + (body if "end_header" in damaged else b""))
@@ -226,7 +225,8 @@ class Ply(FormatsTest):
         file.write_text("ply\nformat ascii 1.0\nelement vertex 1\nproperty float x\nproperty float y\nproperty float z\nend_header\n1 2 three\n")
         self.refused("wrong.ply:8", "three", words=("info", file))
         (self.work / "camera.yaml").unlink()
-        self.refused("wrong.ply", "--camera", words=("info", self.write_ply(file) and file))
+        self.write_ply(file)
+        self.assertIn("a virtual one of", self.run_gestalt("info", file))
 
 
 class Tum(FormatsTest):
@@ -421,15 +421,14 @@ R: [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
     def test_what_is_wrong_is_named(self):
         file = self.work / "info.yaml"
         for told, text in (
-            ("info.yaml:6:4: the lens distorts", self.printed.replace("D: [0.0", "D: [0.1")),
-            ("an equidistant lens is no pinhole", self.printed.replace("plumb_bob", "equidistant")),
-            ("its axes are skew", self.printed.replace("K: [525.0, 0.0", "K: [525.0, 0.5")),
+            ("info.yaml:5:19: the distortion model 'fov' cannot be read", self.printed.replace("plumb_bob", "fov").replace("D: [0.0", "D: [0.1")),
+            ("K has skew axes", self.printed.replace("K: [525.0, 0.0", "K: [525.0, 5.5")),
             ("must have 9 numbers", self.printed.replace("K: [525.0,", "K: [")),
-            ("'nine' is no number", self.printed.replace("319.5", "nine")),
-            ("image_width must be a whole number", self.printed.replace("width: 640", "width: 6.5")),
-            ("image_height must be", self.calibrated.replace("image_height: 480\n", "")),
-            ("the focal lengths must be", self.printed.replace("525.0", "-1")),
-            ("camera_matrix (K) must have 9 numbers", self.calibrated.replace("  data: [525", "  date: [525")),
+            ("K must be a list of numbers", self.printed.replace("319.5", "nine")),
+            ("width is '6.5'; it must be a whole number", self.printed.replace("width: 640", "width: 6.5")),
+            ("'image_height' is missing", self.calibrated.replace("image_height: 480\n", "")),
+            ("must have focal lengths from 0.01", self.printed.replace("525.0", "-1")),
+            ("camera_matrix must be a list of numbers", self.calibrated.replace("  data: [525", "  date: [525")),
         ):
             with self.subTest(told):
                 file.write_text(text)

@@ -42,7 +42,7 @@ class Models(unittest.TestCase):
             cls.all_threads = train(all_of_them, len(os.sched_getaffinity(0)))
 
     def test_do_not_depend_on_the_run_or_its_threads(self):
-        self.assertEqual(sorted(self.one_thread), ["default.json", "paper.json", "realtime.json", "synthetic.json"])
+        self.assertEqual(sorted(self.one_thread), ["default.json", "depth_only.json", "paper.json", "realtime.json", "synthetic.json"])
         for name, model in self.one_thread.items():
             self.assertTrue(model == self.all_threads[name], f"{name} differs")
 

@@ -42,7 +42,7 @@ TEST(Configs, AllAreValid) {
 }
 
 TEST(Configs, ThoseThatNameAModelHaveIt) {
-  for (const char* name : {"default.yaml", "realtime.yaml", "structural.yaml", "paper.yaml"}) {
+  for (const char* name : {"default.yaml", "realtime.yaml", "depth_only.yaml", "structural.yaml", "paper.yaml"}) {
     const Pipeline pipeline = pipeline_of(configs() / name);
     ASSERT_NO_THROW(pipeline.load_models()) << name;
     const Models models = pipeline.load_models();

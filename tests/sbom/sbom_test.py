@@ -86,7 +86,7 @@ class Sbom(unittest.TestCase):
         self.assertEqual(self.packages["regl"]["licenseDeclared"], "MIT")
 
     def test_what_only_tests_and_benchmarks_use_is_not_there(self):
-        self.assertFalse([name for name in self.packages if re.match("libgtest|libbenchmark|libopencv-imgcodecs|libvtk", name)])
+        self.assertFalse([name for name in self.packages if re.match("libgtest|libbenchmark|libvtk", name)])
 
     def test_licences_are_those_of_the_copyright_files(self):
         licences = {name: self.packages[name]["licenseDeclared"] for name in ("libeigen3-dev", "nlohmann-json3-dev", "libtbb12")}

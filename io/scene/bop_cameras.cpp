@@ -1,0 +1,73 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "bop_cameras.h"
+
+#include <algorithm>
+#include <nlohmann/json.hpp>
+
+#include "gestalt/core/base/error.h"
+#include "gestalt/core/base/json_file.h"
+
+namespace gestalt {
+
+namespace fs = std::filesystem;
+using nlohmann::json;
+
+namespace {
+
+constexpr std::uintmax_t largest_cameras = std::uintmax_t{1} << 28;  // bytes
+
+json read_cameras(const fs::path& scene) {
+  const fs::path file = scene / bop_cameras_file;
+  json cameras = read_json(file, largest_cameras);
+  if (!cameras.is_object() || cameras.empty())
+    throw InputError(file.string() + ": is no map of image numbers to cameras, in JSON; take the file of the data set");
+  return cameras;
+}
+
+}  // namespace
+
+std::vector<int> bop_image_numbers(const fs::path& scene) {
+  std::vector<int> numbers;
+  const json cameras = read_cameras(scene);
+  for (const auto& [key, camera] : cameras.items()) {
+    if (key.empty() || key.size() > 6 || key.find_first_not_of("0123456789") != key.npos)
+      throw InputError((scene / bop_cameras_file).string() + ": '" + key.substr(0, 40) + "' is no number of an image");
+    numbers.push_back(std::stoi(key));
+  }
+  std::sort(numbers.begin(), numbers.end());
+  return numbers;
+}
+
+CameraFile read_bop_camera(const fs::path& scene, int number, cv::Size size) {
+  const fs::path file = scene / bop_cameras_file;
+  const json cameras = read_cameras(scene);
+  const std::string key = std::to_string(number);
+  const json entry = cameras.contains(key) ? cameras[key] : cameras.value(bop_digits(number), json());
+  const auto fail = [&](const std::string& what) { throw InputError(file.string() + ": " + key + ": " + what); };
+  const json k = entry.is_object() ? entry.value("cam_K", json()) : json();
+  const auto is_number = [](const json& value) { return value.is_number(); };
+  if (!k.is_array() || k.size() != 9 || !std::all_of(k.begin(), k.end(), is_number))
+    fail("cam_K must be a list of 9 numbers");
+  const auto lies_in = [](const json& value, double low, double high) {
+    return value.get<double>() >= low && value.get<double>() <= high;
+  };
+  if (!lies_in(k[0], 0.01, 1e7) || !lies_in(k[4], 0.01, 1e7) || !lies_in(k[2], 0, size.width) ||
+      !lies_in(k[5], 0, size.height))
+    fail("cam_K must have focal lengths from 0.01 to 1e7 pixels and its principal point in the image");
+  const json scale = entry.value("depth_scale", json(1.0));  // millimetres a unit
+  if (!scale.is_number() || !(scale.get<double>() >= 1e-3 && scale.get<double>() <= 1000))
+    fail("depth_scale must be a number from 0.001 to 1000, millimetres for each unit of the depth image");
+  CameraFile camera(Camera{size.width, size.height, k[0], k[4], k[2], k[5]});
+  camera.depth_scale = scale.get<double>() / 1000;
+  camera.file = file;
+  return camera;
+}
+
+std::string bop_digits(int number) {
+  const std::string digits = std::to_string(number);
+  return std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits;
+}
+
+}  // namespace gestalt

@@ -1,0 +1,24 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+#pragma once
+
+#include <opencv2/core.hpp>
+#include <optional>
+#include <string>
+#include <string_view>
+
+namespace gestalt {
+
+enum class ImageKind { png, jpeg, tiff, pnm, pfm, exr, npy, unknown };
+
+/// By the first bytes of a file.
+ImageKind image_kind(std::string_view bytes);
+
+/// Of what is unknown, for messages: " (it is a WebP image)", or "".
+std::string seen_as(std::string_view bytes);
+
+/// The size that the header of a TIFF, PNM, PFM or EXR file declares, so that no memory is taken for what a few bytes
+/// claim; nothing when the header is damaged.
+std::optional<cv::Size> declared_size(std::string_view bytes, ImageKind kind);
+
+}  // namespace gestalt

@@ -1,0 +1,78 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "recording_camera.h"
+
+#include <array>
+
+#include "bop_cameras.h"
+#include "frame_files.h"
+#include "gestalt/core/base/error.h"
+
+namespace gestalt {
+
+namespace fs = std::filesystem;
+
+namespace {
+
+// Depth's own before those that may be the colour camera's.
+constexpr std::array<const char*, 16> names{"camera.yaml",
+                                            "intrinsic/intrinsic_depth.txt",
+                                            "intrinsic_depth.txt",
+                                            "depth_intrinsics.txt",
+                                            "cam_K.txt",
+                                            "K.txt",
+                                            "intrinsics.txt",
+                                            "intrinsic.txt",
+                                            "camera-intrinsics.txt",
+                                            "camera_intrinsics.txt",
+                                            "camera_intrinsic.json",
+                                            "camera_intrinsics.json",
+                                            "intrinsic.json",
+                                            "intrinsics.json",
+                                            "camera.json",
+                                            "camera_info.yaml"};
+
+/// The number of a BOP image by its name; -1: it is none.
+int bop_number(const fs::path& depth) {
+  const std::string stem = depth.stem().string();
+  return stem.empty() || stem.size() > 6 || stem.find_first_not_of("0123456789") != stem.npos ? -1 : std::stoi(stem);
+}
+
+}  // namespace
+
+std::optional<fs::path> camera_file_of_frame(const fs::path& depth, const fs::path& recording) {
+  std::error_code ignored;
+  if (fs::is_regular_file(recording / bop_cameras_file, ignored) && bop_number(depth) >= 0)
+    return recording / bop_cameras_file;
+  // That of 7-Scenes and of BundleFusion lies above all sequences.
+  const fs::path place = fs::absolute(recording, ignored).lexically_normal();
+  for (const fs::path& folder :
+       {recording, place.has_filename() ? place.parent_path() : place.parent_path().parent_path()})
+    for (const char* name : names)
+      if (fs::is_regular_file(folder / name, ignored)) return folder / name;
+  return find_camera_file(depth);
+}
+
+CameraFile camera_of_frame(const fs::path& depth, const fs::path& recording, cv::Size size, const ReadOptions& options,
+                           std::vector<std::string>& warnings) {
+  if (options.camera) return *options.camera;
+  std::error_code ignored;
+  if (const auto file = camera_file_of_frame(depth, recording))
+    return file->filename() == bop_cameras_file ? read_bop_camera(recording, bop_number(depth), size)
+                                                : read_camera(*file);
+  if (size == cv::Size(640, 480) && fs::exists(recording / "rgb.txt", ignored) &&
+      fs::exists(recording / "depth.txt", ignored)) {
+    warnings.push_back(recording.string() +
+                       ": has no camera; taken for a sequence of TUM's benchmark: 525 px, 5000 units "
+                       "of depth a metre. If it is another's, give --camera FILE and --unit");
+    CameraFile camera(Camera{640, 480, 525, 525, 319.5, 239.5});
+    camera.depth_scale = 1.0 / 5000;
+    return camera;
+  }
+  throw InputError(depth.string() + ": has no camera (" + seen_in(recording) + " in " + recording.string() +
+                   "); give --camera FILE, or --fx, --fy, --cx and --cy, or write camera.yaml there: width, "
+                   "height, fx, fy, cx, cy");
+}
+
+}  // namespace gestalt
