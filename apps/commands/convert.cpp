@@ -119,6 +119,8 @@ std::string guess(const fs::path& input) {
 std::vector<SourceScene> open(const Options& options) {
   const ReadOptions read = read_options(options.reading);
   const auto layout = std::ranges::find(layouts, options.from, &Layout::name);
+  if (layout != layouts.end() && read.labels != LabelScheme::guess)
+    throw ConfigError("--labels: the annotation of --from " + options.from + " has one meaning; leave the option out");
   return (layout == layouts.end() ? own_scenes : layout->scenes)(options, read);
 }
 
