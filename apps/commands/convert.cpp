@@ -131,6 +131,8 @@ std::vector<SourceScene> open(const Options& options) {
         read.camera->file.string() +
         ": its lens distorts, and images of data sets are not rectified; rectify them (cv2.undistort), and "
         "give a camera without distortion");
+  if (layout != layouts.end() && read.labels != LabelScheme::guess)
+    throw ConfigError("--labels: the annotation of --from " + options.from + " has one meaning; leave the option out");
   return (layout == layouts.end() ? own_scenes : layout->scenes)(options, read);
 }
 

@@ -20,13 +20,14 @@ namespace {
 constexpr int most_samples = 8000;
 constexpr std::size_t few = 1000;  // samples: what fewer have in common may be chance
 
-// Metres. Of the sensors that we know none measures farther or nearer, over half of its image, than these two.
-constexpr double too_far = 80, too_near = 0.02;
+// Metres. No sensor for what stands on a table has nothing nearer than the first, or half of its image nearer than the
+// second. Not half of it farther than the first: simulators have a sky.
+constexpr double too_far = 40, too_near = 0.02;
 // A frame of which nothing is nearer, and half farther, than these two is rare: then its noise tells.
 constexpr double far_nearest = 1.8, far_median = 2.5;
 // Mean second difference of neighbours over z^2, 1/m. Stereo and structured light have 0.0005 and more at any depth;
 // in a unit that is too large by k the same noise is k times less.
-constexpr double finest = 0.0004;
+constexpr double finest = 0.00045;
 constexpr double near_median = 0.15, near_farthest = 0.5;
 
 std::string number(double value) {
@@ -187,7 +188,7 @@ void question_range(const std::string& name, const DepthReading& depth, const Sa
   const DepthUnit& unit = depth.unit;
   const std::string read =
       "its depth is " + samples.range(unit.metres) + " when read in " + unit_name(unit.metres) + " (" + unit.from + ")";
-  const bool impossible = samples.median() > too_far || samples.median() < too_near;
+  const bool impossible = samples.nearest() > too_far || samples.median() < too_near;
   if (impossible && !unit.told)
     throw InputError(name + ": " + read + ", which no such sensor measures; give " + likely_units(samples, unit));
   if (impossible) {

@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <array>
+#include <cmath>
 #include <opencv2/imgcodecs.hpp>
 
 #include "gestalt/core/base/error.h"
@@ -29,7 +30,7 @@ std::string png(const cv::Mat& image) {
 }
 
 cv::Mat_<std::uint16_t> depth_4x3() {
-  return (cv::Mat_<std::uint16_t>(3, 4) << 0, 1000, 1001, 1002, 857, 0, 65535, 1, 900, 901, 902, 903);
+  return (cv::Mat_<std::uint16_t>(3, 4) << 0, 1000, 1001, 1002, 857, 0, 65534, 1, 900, 901, 902, 903);
 }
 
 /// What reading throws, and what stderr shows meanwhile must be nothing.
@@ -75,7 +76,7 @@ TEST_F(SceneFolder, GivesDepthInMetresAndPointsInTheCameraFrame) {
   EXPECT_TRUE(input.point_pixels.empty());
   EXPECT_EQ(input.frame.depth(0, 0), 0.0f);
   EXPECT_EQ(input.frame.depth(1, 0), 0.857f);
-  EXPECT_EQ(input.frame.depth(1, 2), 65.535f);
+  EXPECT_EQ(input.frame.depth(1, 2), 65.534f);
   const Eigen::Vector3f p = input.frame.point(2 * 4 + 3);  // (3 - 1.5) / 2 * 0.903, (2 - 1) / 2.5 * 0.903
   EXPECT_NEAR(p.x(), 0.67725f, 1e-6f);
   EXPECT_NEAR(p.y(), 0.3612f, 1e-6f);
@@ -209,18 +210,46 @@ TEST_F(SceneFolder, TakesSixteenBitColour) {
   EXPECT_EQ(read_scene(scene()).frame.colour.at<cv::Vec3b>(2, 3), cv::Vec3b(1, 2, 255));
 }
 
-TEST_F(SceneFolder, IsRefusedForOtherKindsOfLabels) {
-  folder_.write("s/label.png", png(cv::Mat(3, 4, CV_8UC3, cv::Scalar(9))));
-  expect_refusal({"label.png: is 8-bit RGB", "label numbers"});
+TEST_F(SceneFolder, IsReadWhateverItsLabelsAre) {
+  folder_.write("s/label.png", png(cv::Mat(3, 4, CV_8UC3, cv::Scalar(9, 9, 9))));
+  EXPECT_EQ(read_scene(scene()).ground_truth(2, 3), 9);
+  folder_.write("s/label.png", png(cv::Mat(1, 1, CV_8UC1, cv::Scalar(9))));
+  const Input input = read_scene(scene());
+  EXPECT_TRUE(input.ground_truth.empty());
+  expect_parts(input.ground_truth_problem, {"label.png: is 1x1, depth is 4x3"});
+  EXPECT_EQ(input.warnings.size(), 1U);
+}
+
+TEST_F(SceneFolder, TakesTheUnitThatIsTold) {
+  EXPECT_EQ(read_scene(scene()).depth_unit, "0.001 m, the default of whole numbers");
+  folder_.write("s/camera.yaml", camera_4x3 + "depth_scale: 0.0002\n");
+  EXPECT_FLOAT_EQ(read_scene(scene()).frame.depth(0, 1), 0.2F);
+  ReadOptions options;
+  options.depth_scale = 0.0001;
+  EXPECT_FLOAT_EQ(read_scene(scene(), options).frame.depth(0, 1), 0.1F);
+  EXPECT_EQ(read_scene(scene(), options).depth_unit, "0.0001 m, as told");
+}
+
+TEST_F(SceneFolder, TakesTheLargestNumberForNoMeasurement) {
+  cv::Mat_<std::uint16_t> depth = depth_4x3();
+  depth(0, 1) = 65535;
+  folder_.write("s/depth.png", png(depth));
+  EXPECT_EQ(read_scene(scene()).frame.depth(0, 1), 0);
+}
+
+TEST_F(SceneFolder, TurnsBitsBackAndDividesByRays) {
+  folder_.write("s/depth.png", png(cv::Mat_<std::uint16_t>(3, 4, std::uint16_t(8000))));
+  ReadOptions options;
+  options.depth_kind = DepthKind::rotated;
+  EXPECT_FLOAT_EQ(read_scene(scene(), options).frame.depth(2, 3), 1);
+  options.depth_kind = DepthKind::radial;
+  EXPECT_FLOAT_EQ(read_scene(scene(), options).frame.depth(1, 3), float(8 / std::hypot(1.5 / 2, 1)));
 }
 
 TEST_F(SceneFolder, IsRefusedWhenSizesDiffer) {
   folder_.write("s/rgb.png", png(cv::Mat(4, 3, CV_8UC3, cv::Scalar(9))));
   expect_refusal({"rgb.png: is 3x4, depth.png is 4x3", "register"});
   fs::remove(scene() / "rgb.png");
-  folder_.write("s/label.png", png(cv::Mat(1, 1, CV_8UC1, cv::Scalar(9))));
-  expect_refusal({"label.png: is 1x1, depth.png is 4x3"});
-  fs::remove(scene() / "label.png");
   folder_.write("s/camera.yaml", "width: 640\nheight: 480\nfx: 525\nfy: 525\ncx: 319.5\ncy: 239.5\n");
   expect_refusal({"camera.yaml: is made for 640x480 images", "depth.png is 4x3", "give the camera file"});
   expect_parts(error_of([&] { read_scene(scene(), Camera{1, 1, 1, 1, 0, 0}); }), {"the given camera: is made for 1x1"});
@@ -272,7 +301,7 @@ TEST_F(CameraYaml, GivesAllValues) {
   EXPECT_DOUBLE_EQ(c.camera.fy, 525);
   EXPECT_DOUBLE_EQ(c.camera.cx, 319.5);
   EXPECT_DOUBLE_EQ(c.camera.cy, 239.25);
-  EXPECT_DOUBLE_EQ(c.depth_scale, 0.0001);
+  EXPECT_DOUBLE_EQ(c.depth_scale.value(), 0.0001);
   EXPECT_EQ(c.file, folder_.path() / "c.yaml");
 }
 

@@ -45,13 +45,12 @@ std::optional<LabelScheme> guess_scheme(const cv::Mat_<int>& labels, const cv::M
     return zeros > some ? std::optional(LabelScheme::objects) : std::nullopt;
   }
   if (low > 0) {
-    if (zeros < some || tens || low_share > std::max(zeros, 0.2)) return LabelScheme::osd;
+    if (zeros < some || tens || low_share >= std::max(zeros, 0.2)) return LabelScheme::osd;
     return std::nullopt;
   }
-  if (tens && high > 1) return LabelScheme::osd;
-  // Numbers far apart are different objects in both.
-  if (zeros > some && decades.size() == std::size_t(high)) return LabelScheme::objects;
-  return std::nullopt;
+  if ((tens && high > 1) || zeros < some) return LabelScheme::osd;
+  // Numbers of different tens are different objects in both.
+  return decades.size() == std::size_t(high) ? std::optional(LabelScheme::objects) : std::nullopt;
 }
 
 cv::Mat_<std::uint16_t> labels_of_numbers(const cv::Mat_<int>& objects, const cv::Mat& measured) {

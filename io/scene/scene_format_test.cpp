@@ -81,7 +81,7 @@ TEST_F(SceneFormats, EachHasANameAndAnExtensionOfItsOwnAndWords) {
 TEST_F(SceneFormats, FactsOfAFileAreToldWithoutReadingItAsAScene) {
   for (const SceneFormat& format : scene_formats()) {
     if (!format.facts) continue;
-    const auto facts = format.facts(write(format), std::nullopt);
+    const auto facts = format.facts(write(format), ReadOptions());
     EXPECT_FALSE(facts.value("kind", format.kind).empty()) << format.name;
     EXPECT_FALSE(facts.contains("camera_from")) << format.name;
   }

@@ -110,9 +110,6 @@ class Npz(FormatsTest):
             ("array 'rgb' must be of numbers and have the shape (480, 640, 3)", {"rgb": rgb[..., :2]}),
             ("array 'K' must have the shape (3, 3)", {"K": K[0]}),
             ("no array 'K', nor is there a camera.yaml", {"K": None}),
-            ("array 'label' has a label outside of 0 to 65535", {"label": label.astype(int) - 1}),
-            ("array 'label' must be of integers and have the shape (480, 640)", {"label": label[1:]}),
-            ("array 'label' must be of integers and have the shape (480, 640)", {"label": label.astype(float)}),
             ("array 'depth': has the type '<c8'", {"depth": depth.astype(numpy.complex64)}),
             ("array 'depth_scale' must be one number", {"depth_scale": numpy.array([1, 2])}),
             ("array 'depth': is a pickled object", {"depth": numpy.array([[{}]])}),
@@ -121,6 +118,19 @@ class Npz(FormatsTest):
                 arrays = {name: array for name, array in {**good, **change}.items() if array is not None}
                 numpy.savez(file, **arrays)
                 self.refused("wrong.npz", text, words=("info", file))
+
+    def test_labels_that_cannot_be_read_are_told_and_left_out(self):
+        file = self.work / "labelled.npz"
+        for text, wrong in (
+            ("array 'label' has a label outside of 0 to 65535", label.astype(int) - 1),
+            ("array 'label' must be of integers and have the shape (480, 640)", label[1:]),
+            ("array 'label' must be of integers and have the shape (480, 640)", label.astype(float)),
+        ):
+            numpy.savez(file, depth=depth, rgb=rgb[..., ::-1], K=K, label=wrong)
+            told = json.loads(self.run_gestalt("info", file, "--json"))
+            self.assertIn(text, told["labels_problem"])
+            self.assertIn(text, told["warnings"][0])
+            self.refused(text, words=("evaluate", file))
 
     def test_damage_and_huge_claims_are_refused(self):
         file = self.work / "damaged.npz"
@@ -251,6 +261,16 @@ class Tum(FormatsTest):
         self.run_gestalt("segment", DEMO, folder, "--output", self.work / "out")
         ours, theirs = (read(self.work / "out" / name, "labels.png") for name in (DEMO.name, "100.030"))
         numpy.testing.assert_array_equal(ours, theirs)
+
+    def test_a_recording_of_ones_own_may_be_in_millimetres(self):
+        sequence = self.sequence()
+        cv2.imwrite(str(sequence / "depth" / "100.030.png"), depth)
+        camera = self.work / "camera.yaml"
+        camera.write_text(CAMERA + "depth_scale: 0.001\n")
+        for options in (("--camera", camera), ("--unit", "mm")):
+            folder = self.convert(sequence, *options)
+            self.expect_demo(folder, labels=None)
+            self.assertIn("depth_scale: 0.001\n", (folder / "camera.yaml").read_text())
 
     def test_what_is_wrong_is_named(self):
         sequence = self.sequence()
@@ -470,6 +490,165 @@ class Also(FormatsTest):
             self.assertEqual(annotation["area"], mask.sum())
             v, u = numpy.nonzero(mask)
             self.assertEqual(annotation["bbox"], [u.min(), v.min(), u.max() - u.min() + 1, v.max() - v.min() + 1])
+
+
+class Units(FormatsTest):
+    """Each remedy that a message gives is followed."""
+
+    def scene(self, numbers, **more):
+        folder = self.work / "units"
+        folder.mkdir(exist_ok=True)
+        cv2.imwrite(str(folder / "depth.png"), numbers.astype(numpy.uint16))
+        cv2.imwrite(str(folder / "rgb.png"), rgb)
+        (folder / "camera.yaml").write_text(CAMERA + "".join(f"{key}: {value}\n" for key, value in more.items()))
+        return folder
+
+    def range_of(self, scene, *options):
+        told = json.loads(self.run_gestalt("info", scene, "--json", *options))
+        return told["depth_range_m"], told.get("warnings", [])
+
+    def expect_right(self, scene, *options):
+        (nearest, farthest), warnings = self.range_of(scene, *options)
+        self.assertAlmostEqual(nearest, depth[depth > 0].min() / 1000, delta=0.0011)
+        self.assertAlmostEqual(farthest, depth.max() / 1000, delta=0.0011)
+        self.assertEqual(warnings, [])
+
+    def test_millimetres_for_metres_are_refused(self):
+        file = self.work / "mm.npz"
+        numpy.savez(file, depth=depth.astype(numpy.float32), rgb=rgb[..., ::-1], K=K)
+        self.refused("mm.npz", "read in m ", "give --unit mm (0.", words=("segment", file, "--output", self.work / "out"))
+        self.expect_right(file, "--unit", "mm")
+        self.expect_right(file, "--depth-scale", "0.001")
+        cloud = self.work / "mm.ply"
+        seen = 1000 * points()[depth > 0]
+        header = f"ply\nformat binary_little_endian 1.0\nelement vertex {len(seen)}\n"
+        header += "".join(f"property float {axis}\n" for axis in "xyz") + "end_header\n"
+        cloud.write_bytes(header.encode() + seen.astype("<f4").tobytes())
+        (self.work / "camera.yaml").write_text(CAMERA)
+        self.refused("mm.ply", "give --unit mm (0.", words=("segment", cloud, "--output", self.work / "out"))
+        self.expect_right(cloud, "--unit", "mm")
+
+    def test_finer_units_are_a_warning(self):
+        for scale, unit in ((10, "0.1mm"), (8.1, "0.125mm")):
+            scene = self.scene(depth * scale)
+            done = subprocess.run([GESTALT, "segment", scene, "--output", self.work / "out"], capture_output=True, text=True)
+            self.assertEqual(done.returncode, 0)
+            self.assertIn("gestalt: warning: ", done.stderr)
+            self.assertIn("--unit 0.1mm", done.stderr)
+            result = json.loads((self.work / "out" / "units" / "result.json").read_text())
+            self.assertIn("--unit 0.1mm", result["warnings"][0])
+            self.assertIn("0.001 m", result["depth_unit"])
+        self.expect_right(self.scene(depth * 10), "--unit", "0.1mm")
+
+    def test_whole_metres_and_pictures_are_refused(self):
+        self.refused("whole metres", "numpy.uint16(1000 * depth)", words=("info", self.scene(numpy.ceil(depth / 1000))))
+        self.refused("8-bit picture", words=("info", self.scene(depth // 8 * 257)))
+        self.assertIn("scaled to 16 bits", self.range_of(self.scene(depth / depth.max() * 65535))[1][0])
+
+    def test_rotated_bits_are_turned_back(self):
+        scene = self.scene(depth.astype(int) << 3 | depth >> 13)
+        self.refused("--depth-kind rotated", words=("segment", scene, "--output", self.work / "out"))
+        self.expect_right(scene, "--depth-kind", "rotated")
+
+    def test_65535_is_no_measurement(self):
+        self.expect_right(self.scene(numpy.where(depth > 0, depth, 65535)))
+
+    def test_the_scale_of_a_camera_counts(self):
+        camera = self.work / "fine.yaml"
+        camera.write_text(CAMERA + "depth_scale: 0.0005\n")
+        twice = self.scene(depth * 2)
+        self.expect_right(twice, "--camera", camera)
+        file = self.work / "twice.npz"
+        numpy.savez(file, depth=depth * 2, rgb=rgb[..., ::-1])
+        self.expect_right(file, "--camera", camera)
+        info = self.work / "info.yaml"
+        info.write_text(f"width: 640\nheight: 480\ndistortion_model: plumb_bob\nD: []\nK: {K.ravel().tolist()}\ndepth_scale: 0.0005\n")
+        self.expect_right(twice, "--camera", info)
+
+    def test_the_camera_json_of_bop_is_in_millimetres(self):
+        camera = self.work / "camera.json"
+        keys = {"cx": 319.5, "cy": 239.5, "fx": 525.0, "fy": 525.0, "height": 480, "width": 640}
+        camera.write_text(json.dumps({**keys, "depth_scale": 1.0}, indent=2))
+        self.expect_right(self.scene(depth), "--camera", camera)
+        camera.write_text(json.dumps({**keys, "depth_scale": 0.1}))
+        self.expect_right(self.scene(depth * 10), "--camera", camera)
+        camera.write_text(json.dumps({**keys, "depth_scale": 0.001}))
+        self.expect_right(self.scene(depth), "--camera", camera)
+
+    def test_a_unit_is_a_length(self):
+        self.run_gestalt("info", DEMO, "--unit", "furlong", exit_code=2)
+        self.run_gestalt("info", DEMO, "--unit", "mm", "--depth-scale", "0.001", exit_code=2)
+
+
+class Labels(FormatsTest):
+    def scene(self, labels=None, name="label.png"):
+        folder = self.work / "labelled"
+        shutil.rmtree(folder, ignore_errors=True)
+        shutil.copytree(DEMO, folder)
+        (folder / "label.png").unlink()
+        if labels is not None:
+            (folder / name).parent.mkdir(exist_ok=True)
+            cv2.imwrite(str(folder / name), labels)
+        return folder
+
+    def scores(self, scene, *options):
+        return json.loads(self.run_gestalt("evaluate", scene, "--json", *options))["all"]
+
+    def expect_scores(self, expected, scene, *options):
+        found = self.scores(scene, *options)
+        self.assertEqual(found.keys(), expected.keys())
+        for name, value in expected.items():
+            self.assertAlmostEqual(found[name], value, places=9, msg=name)  # sums in the order of the labels
+
+    def test_every_scheme_scores_the_same(self):
+        expected = self.scores(self.scene(expected_label.astype(numpy.uint16)))
+        self.expect_scores(expected, self.scene(objects.astype(numpy.uint8)))
+        self.expect_scores(expected, self.scene(objects.astype(numpy.uint8)), "--labels", "objects")
+        colours = numpy.zeros((*objects.shape, 3), numpy.uint8)
+        for number in range(1, objects.max() + 1):
+            colours[objects == number] = (10 * number, 250 - 10 * number, 90)
+        self.expect_scores(expected, self.scene(colours))
+        colours[objects == 0] = (1, 2, 3)
+        scene = self.scene(colours)
+        self.refused("--labels colours", words=("evaluate", scene))
+        self.run_gestalt("segment", scene, "--output", self.work / "out")
+        self.expect_scores(expected, scene, "--labels", "colours")
+        scene = self.scene()
+        (scene / "masks").mkdir()
+        for number in range(1, objects.max() + 1):
+            cv2.imwrite(str(scene / "masks" / f"{number}.png"), numpy.uint8(objects == number) * 255)
+        self.expect_scores(expected, scene)
+        scene = self.scene()
+        annotations = []
+        for number in range(1, objects.max() + 1):
+            flat = (objects == number).ravel(order="F")
+            edges = numpy.flatnonzero(numpy.diff(numpy.concatenate([[False], flat]).astype(int))).tolist()
+            counts = numpy.diff([0, *edges, flat.size]).tolist()
+            annotations.append({"image_id": 1, "segmentation": {"size": [480, 640], "counts": counts}})
+        images = [{"id": 1, "width": 640, "height": 480, "file_name": "rgb.png"}]
+        (scene / "coco.json").write_text(json.dumps({"images": images, "annotations": annotations}))
+        self.expect_scores(expected, scene)
+
+    def test_where_no_region_would_be_found_there_is_no_score(self):
+        nothing = self.scene(numpy.ones_like(objects, numpy.uint8))
+        self.refused("no scene has an object", "--labels objects", words=("evaluate", nothing))
+        self.refused("no scene has an object", words=("train", nothing, "--output", self.work / "model.json"))
+
+    def test_what_is_not_certain_is_asked_for(self):
+        scene = self.scene(numpy.where(objects > 0, 1000 + objects, 0).astype(numpy.uint16))
+        self.refused("label.png", "--labels objects or --labels osd", words=("evaluate", scene))
+        expected = self.scores(self.scene(objects.astype(numpy.uint8)))
+        scene = self.scene(numpy.where(objects > 0, 1000 + objects, 0).astype(numpy.uint16))
+        self.expect_scores(expected, scene, "--labels", "objects")
+        self.run_gestalt("segment", scene, "--output", self.work / "out")
+
+    def test_segment_never_fails_for_labels(self):
+        scene = self.scene()
+        (scene / "label.png").write_text("no image")
+        done = subprocess.run([GESTALT, "segment", scene, "--output", self.work / "out"], capture_output=True, text=True)
+        self.assertEqual(done.returncode, 0)
+        self.assertIn("label.png", done.stderr)
+        self.refused("label.png", words=("train", scene, "--output", self.work / "model.json"))
 
 
 class Convert(FormatsTest):
