@@ -106,7 +106,7 @@ class Npz(FormatsTest):
         for text, change in (
             ("no array 'depth'", {"depth": None}),
             ("array 'depth' has the shape (480, 640, 2)", {"depth": numpy.dstack([depth, depth])}),
-            ("array 'rgb' is of 640x479 pixels, depth of 640x480", {"rgb": rgb[1:]}),
+            ("array 'rgb' is of 640x470 pixels, depth of 640x480", {"rgb": rgb[10:]}),
             ("array 'rgb' must be of numbers and have the shape (480, 640, 3)", {"rgb": rgb[..., :2]}),
             ("array 'K' must have the shape (3, 3)", {"K": K[0]}),
             ("no array 'K', nor is there a camera.yaml", {"K": None}),

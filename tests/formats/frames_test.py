@@ -345,6 +345,8 @@ class Layouts(FramesTest):
         self.refused("has no camera (color and depth are in", "--camera FILE", words=("info", folder))
         (self.work / "my.yaml").write_text(CAMERA)
         self.expect_read(folder, "--from", "frame", "--camera", self.work / "my.yaml", atol=40)
+        words = ("--fx", 525, "--fy", 525, "--cx", 319.5, "--cy", 239.5)
+        self.expect_read(folder, "--from", "frame", *words, atol=40)
 
     def test_a_folder_without_scenes_tells_what_it_has(self):
         (self.work / "empty").mkdir()
