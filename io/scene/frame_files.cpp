@@ -94,11 +94,11 @@ std::vector<std::string> colour_stems(const std::string& depth_stem) {
   return stems;
 }
 
-/// Of these images the one that belongs to a depth image, by its name.
+/// Of these images the one that belongs to a depth image, by its name; all are absolute.
 fs::path named_alike(const fs::path& depth, const std::vector<fs::path>& images) {
   for (const std::string& stem : colour_stems(lower(depth.stem().string())))
     for (const fs::path& image : images)
-      if (image != depth && lower(image.stem().string()) == stem) return image;
+      if (image != depth && lower(image.stem().string()) == stem && !is_depth_image(image)) return image;
   return {};
 }
 
@@ -178,14 +178,16 @@ FrameFiles files_of_frame(const fs::path& depth) {
   std::error_code ignored;
   if (has_associations(recording)) files.colour = colour_by_lists(depth, recording);
   if (!files.colour.empty()) return files;
-  const fs::path own = fs::absolute(depth, ignored).lexically_normal().parent_path();
-  files.colour = named_alike(depth, images_in(own));
-  if (!files.colour.empty() || own == recording) return files;
+  const fs::path place = fs::absolute(depth, ignored).lexically_normal();
+  if (place.parent_path() == recording) {
+    files.colour = named_alike(place, images_in(recording));
+    return files;
+  }
   const fs::path folder = folder_in(recording, is_colour);
   if (folder.empty()) return files;
   const std::vector<fs::path> images = images_in(folder);
-  files.colour = named_alike(depth, images);
-  if (files.colour.empty()) files.colour = only_of_number(depth, images);
+  files.colour = named_alike(place, images);
+  if (files.colour.empty()) files.colour = only_of_number(place, images);
   if (files.colour.empty() && !images.empty())
     throw InputError(depth.string() + ": which image of " + folder.string() +
                      " is its colour, the names do not tell (" + seen_in(folder) + " there); write " +

@@ -4,6 +4,7 @@
 what cannot be is refused with what was seen and a remedy, and the remedy is followed here."""
 
 import json
+import os
 import pathlib
 import re
 import shutil
@@ -373,6 +374,16 @@ class OneLine(FramesTest):
         for image in (write(self.work / "f.npy", metres), write(self.work / "g.exr", metres), write(self.work / "h.pgm", depth),
                       array):
             self.assertTrue(self.info("--rgb", colour, "--depth", image)["colour"])
+
+    def test_a_depth_image_is_not_its_own_colour(self):
+        for name in ("d.png", "d.tiff"):
+            write(self.work / name, depth)
+        write(self.work / "depth" / "1.png", depth)
+        for file in (self.work / "d.png", self.work / "d.tiff", self.work / "depth" / "1.png"):
+            for path in (file, os.path.relpath(file)):
+                self.assertFalse(self.info(path)["colour"], path)
+        write(self.work / "d.jpg", rgb)
+        self.assertEqual(self.info(os.path.relpath(self.work / "d.tiff"))["colour_from"], str(self.work / "d.jpg"))
 
     def test_what_is_not_clear_is_refused(self):
         colour, image = write(self.work / "c.jpg", rgb), write(self.work / "d.png", depth)
