@@ -28,7 +28,9 @@ bool append_numbers(const YAML::Node& node, int depth, std::vector<double>& all)
     return std::all_of(node.begin(), node.end(),
                        [&](const YAML::Node& one) { return append_numbers(one, depth + 1, all); });
   if (!node.IsScalar()) return false;
-  for (const std::string_view word : words_of(node.Scalar())) {
+  std::string text = node.Scalar();
+  std::replace(text.begin(), text.end(), '\n', ' ');  // a matrix in XML
+  for (const std::string_view word : words_of(text)) {
     const auto value = number_of(word);
     if (!value || all.size() > most_numbers) return false;
     all.push_back(*value);

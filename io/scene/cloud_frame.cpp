@@ -187,14 +187,34 @@ double share_in_image(const PointCloud& cloud, const Camera& camera) {
   return points == 0 ? 0 : double(inside) / double(points);
 }
 
+namespace {
+
+/// Whether the points reach over a good part of the image: what is turned wrongly and far away is a spot.
+bool fills_image(const PointCloud& cloud, const Camera& camera) {
+  constexpr int share = 4;
+  int left = camera.width, right = -1, top = camera.height, bottom = -1;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) {
+    const int pixel = cloud.visible(i) ? pixel_of(cloud.points[i], camera) : -1;
+    if (pixel < 0) continue;
+    left = std::min(left, pixel % camera.width), right = std::max(right, pixel % camera.width);
+    top = std::min(top, pixel / camera.width), bottom = std::max(bottom, pixel / camera.width);
+  }
+  return share * (right - left) > camera.width || share * (bottom - top) > camera.height;
+}
+
+}  // namespace
+
 std::optional<FrameChange> frame_of_unorganized(const PointCloud& cloud, const Camera& camera) {
   std::vector<FrameChange> frames = viewpoint_frames(cloud);
   frames.push_back(opengl);
   frames.push_back(robot_link);
   std::optional<FrameChange> best;
   double most = nearly_all;
-  for (const FrameChange& frame : frames)
-    if (const double share = share_in_image(frame(cloud), camera); share > most) best = frame, most = share;
+  for (const FrameChange& frame : frames) {
+    const PointCloud turned = frame(cloud);
+    const double share = share_in_image(turned, camera);
+    if (share > most && fills_image(turned, camera)) best = frame, most = share;
+  }
   return best;
 }
 

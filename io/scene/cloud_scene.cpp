@@ -15,7 +15,6 @@
 #include "gestalt/io/scene/ground_truth.h"
 #include "gestalt/io/scene/labelled_files.h"
 #include "gestalt/io/scene/pcd_header.h"
-#include "pixel_centres.h"
 #include "point_cloud.h"
 #include "scene_camera.h"
 #include "virtual_camera.h"
@@ -217,12 +216,7 @@ Input read_unorganized(const fs::path& file, std::vector<cv::Vec3f> original, Se
   std::stable_sort(order.begin(), order.end(),
                    [&](std::size_t a, std::size_t b) { return cloud.points[a][2] > cloud.points[b][2]; });
   CloudImages images(cloud, size_of(seen.camera));
-  std::vector<int> point_of_pixel(images.depth.total(), -1);
-  for (const std::size_t i : order) {
-    images.put(cloud, i, input.point_pixels[i]);
-    point_of_pixel[std::size_t(input.point_pixels[i])] = int(i);
-  }
-  images.depth = depth_in_centres(images.depth, point_of_pixel, cloud.points, seen.camera);
+  for (const std::size_t i : order) images.put(cloud, i, input.point_pixels[i]);
   finish(input, file, images, seen.camera, unit, labels);
   return input;
 }

@@ -416,8 +416,9 @@ TEST_F(OtherFields, IntensityIsGrey) {
 }
 
 TEST_F(OtherFields, LabelsMayBeFloats) {
-  const Input input = read("label", "4", "F", {"20", "30.0", "nan", "65535"});
-  const cv::Mat_<std::uint16_t> expected = (cv::Mat_<std::uint16_t>(2, 2) << 20, 30, 0, 65535);
+  const Input input = read("label", "4", "F", {"20", "30.0", "nan", "1"});
+  const cv::Mat_<std::uint16_t> expected = (cv::Mat_<std::uint16_t>(2, 2) << 20, 30, 0, 1);
+  ASSERT_EQ(input.ground_truth.size(), expected.size()) << input.ground_truth_problem;
   EXPECT_EQ(cv::norm(input.ground_truth, expected, cv::NORM_INF), 0);
 }
 
@@ -537,7 +538,9 @@ TEST_F(Pcd, RefusesAnUnorganizedCloudOfAnotherCamera) {
 }
 
 TEST_F(Pcd, OfOneRowIsOrganizedForACameraOfItsSize) {
-  const fs::path file = write_with("WIDTH 2\nHEIGHT 2", "WIDTH 4\nHEIGHT 1");
+  const fs::path file = write(
+      "FIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 4\nHEIGHT 1\nPOINTS 4\nDATA ascii\n0 0 1\n0.5 0 1\n1 0 1\n1.5 0 "
+      "1\n");
   const Input input = read_scene(file, Camera{4, 1, 2, 4, 0, 0});
   EXPECT_TRUE(input.point_pixels.empty());
   EXPECT_EQ(cv::countNonZero(input.frame.depth), 4);
@@ -555,7 +558,7 @@ TEST_F(Pcd, WhosePointsTellNoCameraIsRefused) {
   expect_refusal("0 0 1\n0.5 0 1\n0 0.25 1\n0.5 0.25 1", "1 1 1\n2 2 2\n3 3 3\n4 4 4",
                  {"c.pcd: the points are too few or too alike", "--camera"});
   expect_refusal("0 0 1\n0.5 0 1\n0 0.25 1\n0.5 0.25 1", "0 0 1\n-0.5 0 1\n0 0.25 1\n-0.5 0.25 1",
-                 {"c.pcd: no pinhole camera describes", "--camera"});
+                 {"c.pcd: no pinhole camera describes", "in the camera's frame"});
   std::vector<Point> scattered = seen_points();
   for (std::size_t i = 0; i < scattered.size(); ++i) std::swap(scattered[i], scattered[(i * 29 + 5) % 48]);
   const fs::path file = folder_.path() / "c.pcd";

@@ -181,8 +181,11 @@ TEST_F(BadInput, OnePixelIsSegmented) {
 
 TEST_F(BadInput, NoCamera) {
   fs::remove(scene / "camera.yaml");
-  refuse(scene, 3, {scene.string(), "camera.yaml", "--camera"});
+  refuse(scene, 3, {scene.string(), "camera.yaml", "--camera", "--fx"});
   refuse(scene, 3, {"none.yaml", "does not exist"}, {"--camera", folder.path() / "none.yaml"});
+  refuse(scene, 3, {"the given camera: its principal point (100, 29.5) lies outside"},
+         {"--fx", "75", "--cx", "100", "--cy", "29.5"});
+  expect_success(segment(scene, {"--fx", "75", "--cx", "39.5", "--cy", "29.5"}));
 }
 
 TEST_F(BadInput, IntrinsicsThatAreZeroNegativeOrNoNumber) {

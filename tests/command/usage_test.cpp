@@ -130,6 +130,8 @@ TEST(Usage, WrongUsageIsNamedAndHasExitCode2) {
         Wrong{{"plugins", "describe"}, "component"},
         Wrong{{"plugins", "describe", "gabro"}, "did you mean 'gabor'?"},
         Wrong{{"plugins", "describe", "relatoin", "gabor"}, "did you mean 'relation'?"},
+        Wrong{{"segment", scene, "--fx", "75"}, "--cx"},
+        Wrong{{"segment", scene, "--camera", "a.yaml", "--fx", "75", "--cx", "1", "--cy", "1"}, "--camera"},
         Wrong{{"info"}, "FILE"}}) {
     const Outcome outcome = run_gestalt(arguments);
     EXPECT_EQ(outcome.code, 2) << outcome.err;
