@@ -267,6 +267,8 @@ class Tum(FormatsTest):
         cv2.imwrite(str(sequence / "depth" / "100.030.png"), depth)
         camera = self.work / "camera.yaml"
         camera.write_text(CAMERA + "depth_scale: 0.001\n")
+        done = subprocess.run([GESTALT, "convert", sequence, "--output", self.work / "near"], capture_output=True, text=True)
+        self.assertIn("give --unit mm", done.stderr)
         for options in (("--camera", camera), ("--unit", "mm")):
             folder = self.convert(sequence, *options)
             self.expect_demo(folder, labels=None)
