@@ -16,6 +16,12 @@ namespace {
 constexpr Camera tum_camera{640, 480, 525, 525, 319.5, 239.5};
 constexpr double tum_depth_scale = 1.0 / 5000;
 
+/// In units of the benchmark; other recordings in its layout are often in millimetres.
+bool nearer_than_a_kinect_sees(const cv::Mat_<std::uint16_t>& depth) {
+  constexpr double nearest = 0.35 / tum_depth_scale;
+  return cv::countNonZero((depth > 0) & (depth < nearest)) > cv::countNonZero(depth) / 2;
+}
+
 }  // namespace
 
 std::vector<TumFrame> find_tum_frames(const fs::path& sequence) {
@@ -32,6 +38,10 @@ ConvertedScene read_tum_frame(const TumFrame& frame, const ReadOptions& given) {
   scene.depth_scale = scale_of(options, tum_depth_scale);
   scene.images = read_images(frame.depth, frame.colour, scene.camera);
   question(scene, frame.depth, options);
+  if (scene.depth_scale == tum_depth_scale && !options.depth_scale && nearer_than_a_kinect_sees(scene.images.depth))
+    scene.warnings.push_back(frame.depth.string() +
+                             ": half of its depth is nearer than 0.35 m when read with the 5000 units a metre of the "
+                             "benchmark, which its sensors do not measure; if it is in millimetres, give --unit mm");
   return scene;
 }
 

@@ -23,11 +23,12 @@ constexpr std::size_t few = 1000;  // samples: what fewer have in common may be 
 // Metres. No sensor for what stands on a table has nothing nearer than the first, or half of its image nearer than the
 // second. Not half of it farther than the first: simulators have a sky.
 constexpr double too_far = 40, too_near = 0.02;
-// A frame of which nothing is nearer, and half farther, than these two is rare: then its noise tells.
-constexpr double far_nearest = 1.8, far_median = 2.5;
-// Mean second difference of neighbours over z^2, 1/m. Stereo and structured light have 0.0005 and more at any depth;
-// in a unit that is too large by k the same noise is k times less.
-constexpr double finest = 0.00045;
+// Mean second difference of neighbours over z^2, 1/m: stereo and structured light have 0.0005 and more at any depth, so
+// that the same noise in a unit that is too large by k is k times less. Only of noise that the unit resolves, as what
+// is rendered has none, and only of what is seen from afar.
+constexpr double finest_far = 0.00045, far_nearest = 1.8, far_median = 2.5;
+constexpr double finest = 0.00035, least_nearest = 1.0, least_median = 1.6;
+constexpr double resolved = 1.2;  // units
 constexpr double near_median = 0.15, near_farthest = 0.5;
 
 std::string number(double value) {
@@ -46,7 +47,7 @@ class Samples {
   explicit Samples(const DepthReading& depth) : scale_(depth.unit.metres), whole_(depth.whole_numbers) {
     const cv::Mat_<float>& z = depth.metres;
     const int step = std::max(1, int(std::sqrt(double(z.total()) / most_samples)));
-    double differences = 0, squares = 0;
+    double differences = 0, squares = 0, pairs = 0;
     for (int v = step / 2; v < z.rows; v += step)
       for (int u = step / 2; u < z.cols; u += step) {
         const double at = z(v, u);
@@ -58,20 +59,32 @@ class Samples {
         if (!(difference < 0.03 * at)) continue;
         differences += difference;
         squares += at * at;
+        ++pairs;
       }
     std::sort(metres_.begin(), metres_.end());
     fineness_ = squares > 0 ? differences / squares : 0;
+    noise_ = pairs > 0 ? differences / pairs / scale_ : 0;
+    const auto endless = float(1e6 * scale_), none = float(65535 * scale_);
+    for (const float at : z)
+      if (at > largest_ && at < endless && at != none) largest_ = at;
     for (std::size_t i = 0; i < metres_.size(); ++i) distinct_ += i == 0 || metres_[i] != metres_[i - 1];
   }
 
   std::size_t count() const { return metres_.size(); }
   std::size_t distinct() const { return distinct_; }
   bool whole() const { return whole_; }
-  double fineness() const { return fineness_; }  ///< mean second difference along rows over z^2, 1/m
+
+  /// The noise is less than any sensor has so far away.
+  bool too_fine() const {
+    return noise_ > resolved && ((nearest() > far_nearest && median() > far_median && fineness_ < finest_far) ||
+                                 (nearest() > least_nearest && median() > least_median && fineness_ < finest));
+  }
+
   double median() const { return at(0.5); }
   double nearest() const { return at(0.05); }
   double farthest() const { return at(0.99); }
-  double largest_unit() const { return std::round(metres_.back() / scale_); }  ///< in the file's numbers
+  float largest() const { return largest_; }                                     ///< metres
+  double largest_unit() const { return std::round(double(largest_) / scale_); }  ///< in the file's numbers
 
   /// Share of the file's numbers that are whole multiples.
   double multiples_of(double divisor) const {
@@ -95,7 +108,9 @@ class Samples {
   bool whole_;
   std::vector<double> metres_;  ///< ascending
   std::size_t distinct_ = 0;
-  double fineness_ = 0;
+  double fineness_ = 0;  ///< mean second difference along rows over z^2, 1/m
+  double noise_ = 0;     ///< the same difference in units
+  float largest_ = 0;    ///< of all pixels
 };
 
 /// "--unit mm (0.62 to 2.6 m), --unit cm (6.2 to 26 m)": the units in which one sees something, the likeliest first.
@@ -131,8 +146,8 @@ class Planes {
       for (int left = 0; left + width <= depth.cols; left += width / 2) fit(depth, camera, left, top, width);
   }
 
-  /// Nearly every plane is flatter in it, and by much.
-  bool radial() const { return planes_ >= 6 && flatter_radial_ >= 0.9 * planes_ && log_ratio_ / planes_ < -0.35; }
+  /// Nearly every plane is flatter along the rays. In depth along the axis hardly any is.
+  bool radial() const { return planes_ >= 4 && flatter_radial_ >= 0.85 * planes_ && log_ratio_ / planes_ < -0.08; }
 
  private:
   void fit(const cv::Mat_<float>& depth, const Camera& camera, int left, int top, int width) {
@@ -158,7 +173,7 @@ class Planes {
     constexpr double flat = 0.004;
     if (!(residual.minCoeff() < flat) || residual.minCoeff() == 0) return;
     ++planes_;
-    flatter_radial_ += residual[1] < 0.85 * residual[0];
+    flatter_radial_ += residual[1] < residual[0];
     log_ratio_ += std::log(residual[1] / residual[0]);
   }
 
@@ -169,10 +184,11 @@ class Planes {
 void question_numbers(const std::string& name, const Samples& samples, const DepthUnit& unit) {
   const auto refuse = [&](const std::string& what) { throw InputError(name + ": " + what); };
   const bool millimetres = std::abs(unit.metres - 0.001) < 1e-5;
-  if (samples.distinct() > 1 && samples.distinct() <= 40 && samples.largest_unit() <= 50 &&
+  if ((samples.whole() || samples.distinct() > 1) && samples.distinct() <= 40 && samples.largest_unit() <= 50 &&
       (!samples.whole() || samples.largest_unit() * unit.metres < 0.1) && samples.multiples_of(1) == 1)
-    refuse("its depth has " + std::to_string(samples.distinct()) + " values, up to " + number(samples.largest_unit()) +
-           ": whole metres. Write depth before it is rounded, as floats in metres or as numpy.uint16(1000 * depth)");
+    refuse(
+        "its depth is whole, and up to " + number(samples.largest_unit()) +
+        " only: whole metres. Write depth before it is rounded, as floats in metres or as numpy.uint16(1000 * depth)");
   if (samples.whole() && samples.largest_unit() > 257 &&
       std::max(samples.multiples_of(256), samples.multiples_of(257)) == 1)
     refuse("its depth has the " + std::to_string(samples.distinct()) +
@@ -205,15 +221,13 @@ void question_range(const std::string& name, const DepthReading& depth, const Sa
         doubt + ", up to " + number(samples.largest_unit()) +
         " of 65535: it seems to be scaled to 16 bits, and has no unit any more. Save the sensor's depth, or "
         "give --depth-scale with the metres of a unit, the farthest depth / 65535");
-  } else if (millimetres && samples.nearest() > far_nearest && samples.median() > far_median &&
-             samples.fineness() < finest) {
+  } else if (millimetres && samples.too_fine()) {
     warnings.push_back(doubt + ", but finer than sensors are there" + remedy);
   } else if (millimetres && samples.median() < near_median && samples.farthest() < near_farthest) {
     warnings.push_back(doubt + ", very near" + remedy);
   } else if (!depth.whole_numbers && samples.nearest() > 6 && samples.median() > 12) {
     warnings.push_back(doubt + ", very far" + remedy);
-  } else if (!depth.whole_numbers && samples.distinct() > 100 && samples.largest_unit() == 1 &&
-             samples.farthest() <= 1 && samples.multiples_of(1) > 0) {
+  } else if (!depth.whole_numbers && samples.largest() == 1 && samples.multiples_of(0.001) < 0.5) {
     warnings.push_back(doubt +
                        ", and its largest value is 1: it seems to be scaled to 0..1; give --depth-scale with the "
                        "depth that 1 stands for, or --unit m if it is in metres");

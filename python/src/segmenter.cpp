@@ -29,10 +29,16 @@ namespace {
 
 namespace fs = std::filesystem;
 
+/// A message that names an option of the command, with what it is here.
+std::string in_python(const std::string& message) {
+  return message.find("--unit") == message.npos ? message
+                                                : message + " (in Python: depth_scale=, the metres of a unit)";
+}
+
 /// Each warning of the input as one of Python. Throws where Python makes it an exception.
 void warn(const Input& input) {
   for (const std::string& warning : input.warnings)
-    if (PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1)) throw py::error_already_set();
+    if (PyErr_WarnEx(PyExc_UserWarning, in_python(warning).c_str(), 1)) throw py::error_already_set();
 }
 
 /// What results need of the segmenter that made them.
@@ -141,7 +147,11 @@ class PySegmenter {
     return warned(source_->arena.run([&] {
       Input input;
       input.path = name;
-      set_frame(input, name, colours, std::move(depths), camera);
+      try {
+        set_frame(input, name, colours, std::move(depths), camera);
+      } catch (const InputError& error) {
+        throw InputError(in_python(error.what()));
+      }
       return segment(std::move(input));
     }));
   }

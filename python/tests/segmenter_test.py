@@ -121,6 +121,19 @@ class PipelineTest(unittest.TestCase):
         result = self.segmenter(self.scene.colour, millimetres, self.scene.camera)
         numpy.testing.assert_array_equal(result.labels, self.result.labels)
 
+    def test_other_units_are_told_or_seen(self):
+        scene, millimetres = self.scene, 1000 * self.scene.depth
+        with self.assertRaisesRegex(gestalt.InputError, "--unit mm.*in Python: depth_scale="):
+            self.segmenter(scene.colour, millimetres, scene.camera)
+        result = self.segmenter(scene.colour, millimetres, scene.camera, depth_scale=0.001)
+        numpy.testing.assert_array_equal(result.labels, self.result.labels)
+        fine = numpy.round(10 * millimetres).astype(numpy.uint16)
+        with self.assertWarnsRegex(UserWarning, "--unit 0.1mm"):
+            self.segmenter(scene.colour, fine, scene.camera)
+        with self.assertRaisesRegex(gestalt.InputError, "depth_scale"):
+            self.segmenter(scene.colour, fine, scene.camera, depth_scale=-1)
+        self.assertAlmostEqual(gestalt.read_scene(demo, depth_scale=0.002).depth.max(), 2 * scene.depth.max(), places=5)
+
     def test_takes_views_and_double_precision(self):
         depth = numpy.zeros((480, 1280))
         depth[:, ::2] = numpy.where(self.scene.depth > 0, self.scene.depth, numpy.nan)

@@ -140,6 +140,8 @@ TEST_F(Learning, TrainingNeedsGroundTruthOfEveryScene) {
 TEST_F(Learning, TrainingNeedsPairsOfBothClasses) {
   const fs::path scene = write_scene(folder.path() / "wall", small_wall());
   write_image(scene / "label.png", cv::Mat(small_height, small_width, CV_8UC1, cv::Scalar(1)));
+  expect_refused(run_gestalt({"train", scene, "--output", model}), 3, {"no scene has an object", "--labels objects"});
+  write_image(scene / "label.png", cv::Mat(small_height, small_width, CV_8UC1, cv::Scalar(20)));
   expect_refused(run_gestalt({"train", scene, "--output", model}), 2, {"pairs of both classes", "more scenes"});
   EXPECT_FALSE(fs::exists(model));
 }

@@ -265,8 +265,10 @@ class Tum(FormatsTest):
     def test_a_recording_of_ones_own_may_be_in_millimetres(self):
         sequence = self.sequence()
         cv2.imwrite(str(sequence / "depth" / "100.030.png"), depth)
-        camera = self.work / "camera.yaml"
+        camera = self.work / "own.yaml"
         camera.write_text(CAMERA + "depth_scale: 0.001\n")
+        done = subprocess.run([GESTALT, "convert", sequence, "--output", self.work / "near"], capture_output=True, text=True)
+        self.assertIn("give --unit mm", done.stderr)
         for options in (("--camera", camera), ("--unit", "mm")):
             folder = self.convert(sequence, *options)
             self.expect_demo(folder, labels=None)
