@@ -131,20 +131,17 @@ class Builder {
 
 }  // namespace
 
-json parse_json(const std::string& name, std::string_view text, std::size_t deepest) {
+json parse_json(const std::string& name, std::string_view text, std::size_t deepest) try {
   Builder builder(name, text, deepest);
   json::sax_parse(text, &builder);
   return builder.take();
+} catch (const std::bad_alloc&) {
+  throw InputError(name + ": its " + std::to_string(text.size()) +
+                   " bytes take more memory than this process may have; allow it more, or check the path");
 }
 
 json read_json(const std::filesystem::path& file, std::uintmax_t most) {
-  const std::string text = read_bytes(file, most);
-  try {
-    return parse_json(file.string(), text);
-  } catch (const std::bad_alloc&) {
-    throw InputError(file.string() + ": its " + std::to_string(text.size()) +
-                     " bytes take more memory than this process may have; allow it more, or check the path");
-  }
+  return parse_json(file.string(), read_bytes(file, most));
 }
 
 }  // namespace gestalt

@@ -27,7 +27,7 @@ class GESTALT_EXPORT OutputPath {
   /// What lies below.
   OutputPath operator/(const std::filesystem::path& name) const;
 
-  std::filesystem::path path() const { return named_ / below_; }
+  std::filesystem::path path() const { return below_.empty() ? named_ : named_ / below_; }  // no "/" at the end
   const std::filesystem::path& named() const { return named_; }
   const std::filesystem::path& below() const { return below_; }
 

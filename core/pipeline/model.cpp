@@ -49,8 +49,19 @@ std::string difference(const std::vector<std::string>& of_model, const std::vect
   return text;
 }
 
-json read(const fs::path& file) try { return read_json(file); } catch (const InputError& error) {
-  throw ModelError(std::string(error.what()) + "; name a model, or train one with `gestalt train`");
+std::string read_text(const fs::path& file) try {
+  return read_bytes(file, largest_json);
+} catch (const InputError& error) {
+  throw ModelError(std::string(error.what()) + ", or train a model with `gestalt train`");
+}
+
+json read(const fs::path& file) {
+  const std::string text = read_text(file);
+  try {
+    return parse_json(file.string(), text);
+  } catch (const InputError& error) {
+    throw ModelError(std::string(error.what()) + ", so it is no model; " + retrain);
+  }
 }
 
 Scaling read_scaling(const json& object, std::size_t columns) {

@@ -225,8 +225,9 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
   }
   if (assembly_) {
     const Stopwatch watch(percept.times.assembly);
-    percept.assembly = relate(non_neighbour_pairs(percept.surfaces(), assembly_->minimum_size * percept.pixel_density),
-                              assembly_->relations, *measures);
+    const double minimum_size = assembly_->minimum_size * percept.pixel_density;
+    percept.assembly = relate(non_neighbour_pairs(percept.surfaces(), minimum_size), assembly_->relations, *measures);
+    percept.unpaired = unpaired_surfaces(percept.surfaces(), minimum_size);
   }
   measures.reset();
   images->forget_observations();

@@ -72,8 +72,39 @@ std::vector<SurfacePair> neighbour_pairs(const SurfaceSet& surfaces, double mini
   return pairs;
 }
 
+namespace {
+
+std::vector<std::size_t> large_surfaces(const SurfaceSet& surfaces, double minimum_size) {
+  std::vector<std::size_t> large;
+  for (std::size_t i = 0; i < surfaces.surfaces.size(); ++i)
+    if (large_enough(surfaces, int(i), minimum_size)) large.push_back(i);
+  return large;
+}
+
+/// Those that pairs of the assembly level are made of.
+std::vector<bool> paired_surfaces(const SurfaceSet& surfaces, double minimum_size) {
+  std::vector<std::size_t> chosen = large_surfaces(surfaces, minimum_size);
+  if (chosen.size() > most_paired_surfaces) {
+    std::stable_sort(chosen.begin(), chosen.end(), [&](std::size_t a, std::size_t b) {
+      return surfaces.surfaces[a].pixels.size() > surfaces.surfaces[b].pixels.size();
+    });
+    chosen.resize(most_paired_surfaces);
+  }
+  std::vector<bool> paired(surfaces.surfaces.size(), false);
+  for (const std::size_t i : chosen) paired[i] = true;
+  return paired;
+}
+
+}  // namespace
+
+std::size_t unpaired_surfaces(const SurfaceSet& surfaces, double minimum_size) {
+  const std::size_t large = large_surfaces(surfaces, minimum_size).size();
+  return large - std::min(large, most_paired_surfaces);
+}
+
 std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, double minimum_size) {
-  const auto large = [&](int surface) { return large_enough(surfaces, surface, minimum_size); };
+  const std::vector<bool> paired = paired_surfaces(surfaces, minimum_size);
+  const auto large = [&](int surface) { return paired[std::size_t(surface)]; };
   const int count = int(surfaces.surfaces.size());
   std::vector<SurfacePair> pairs;
   auto adjacency = surfaces.adjacencies.begin();

@@ -45,9 +45,17 @@ GESTALT_EXPORT bool large_enough(const SurfaceSet& surfaces, int surface, double
 /// Structural level: the pairs of 3D neighbours of which both have at least minimum_size pixels, sorted by (a, b).
 GESTALT_EXPORT std::vector<SurfacePair> neighbour_pairs(const SurfaceSet& surfaces, double minimum_size);
 
+/// Surfaces that pairs of the assembly level are made of, at most: 200,000 pairs. Their number grows by the square, and
+/// with it time, memory and result.json.
+constexpr std::size_t most_paired_surfaces = 632;
+
 /// Assembly level: all other pairs of surfaces of which both have at least minimum_size pixels, sorted by (a, b). Their
 /// border is null unless they touch in the image.
+/// Where more than most_paired_surfaces are large enough, the largest of them, the first of equal ones.
 GESTALT_EXPORT std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, double minimum_size);
+
+/// How many are large enough, and left out by non_neighbour_pairs() all the same.
+GESTALT_EXPORT std::size_t unpaired_surfaces(const SurfaceSet& surfaces, double minimum_size);
 
 /// Relations bound to one scene, each once for whatever level asks for it.
 class GESTALT_EXPORT Measures {

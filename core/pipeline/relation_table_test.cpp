@@ -113,6 +113,24 @@ TEST(Pairs, OfTheStructuralLevelAreNeighboursIn3D) {
   EXPECT_FALSE(pairs[0].border->border_3d.empty());
 }
 
+// The number of pairs is bounded, whatever the number of surfaces.
+TEST(Pairs, OfTheAssemblyLevelAreThoseOfTheLargestSurfaces) {
+  const auto pairs_of = [](std::size_t count) {
+    SurfaceSet surfaces;
+    surfaces.surfaces.resize(count);
+    for (std::size_t i = 0; i < count; ++i) surfaces.surfaces[i].pixels.resize(i < 3 ? 10 : 20);
+    return std::pair(non_neighbour_pairs(surfaces, 10), unpaired_surfaces(surfaces, 10));
+  };
+  const std::size_t most = most_paired_surfaces * (most_paired_surfaces - 1) / 2;
+  for (const std::size_t count : {most_paired_surfaces, most_paired_surfaces + 3, 2 * most_paired_surfaces}) {
+    const auto [pairs, unpaired] = pairs_of(count);
+    EXPECT_EQ(pairs.size(), most);
+    EXPECT_EQ(unpaired, count - most_paired_surfaces);
+    EXPECT_EQ(pairs.front().a, count == most_paired_surfaces ? 0 : 3) << "the three small ones are left out first";
+  }
+  EXPECT_EQ(pairs_of(100).first.size(), 4950u);
+}
+
 TEST(Pairs, OfTheAssemblyLevelAreAllOthers) {
   const auto known = row();
   const auto pairs = non_neighbour_pairs(known.surfaces, 1);

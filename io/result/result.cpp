@@ -129,28 +129,30 @@ Json result_json(const Input& input, const SegmentedFrame& found, const Json& co
   const auto& [percept, segmentation, times] = found;
   Json patches;
   isolated([&] { patches = patches_json(*found.percept.scene); });
-  return {{"format", "gestalt-result"},
-          {"version", 2},
-          {"gestalt", GESTALT_VERSION},
-          {"build", build_fingerprint()},
-          {"scene", input.frame.name},
-          {"input", absolute_path(input.path)},
-          {"camera", camera_json(input.frame.camera)},
-          {"depth_noise", noise_json(percept.frame().noise)},
-          {"depth_unit", input.depth_unit},
-          {"warnings", input.warnings},
-          {"notes", input.notes},
-          {"segments", segments_json(segmentation)},
-          {"patches", std::move(patches)},
-          {"pairs", pairs_json(percept, segmentation.graph)},
-          {"milliseconds",
-           {{"signal", times.signal},
-            {"primitive", times.primitive},
-            {"structural", times.structural},
-            {"assembly", times.assembly},
-            {"decision", times.decision},
-            {"total", times.total()}}},
-          {"config", config}};
+  Json result{{"format", "gestalt-result"},
+              {"version", 2},
+              {"gestalt", GESTALT_VERSION},
+              {"build", build_fingerprint()},
+              {"scene", input.frame.name},
+              {"input", absolute_path(input.path)},
+              {"camera", camera_json(input.frame.camera)},
+              {"depth_noise", noise_json(percept.frame().noise)},
+              {"depth_unit", input.depth_unit},
+              {"warnings", input.warnings},
+              {"notes", input.notes},
+              {"segments", segments_json(segmentation)},
+              {"patches", std::move(patches)},
+              {"pairs", pairs_json(percept, segmentation.graph)},
+              {"milliseconds",
+               {{"signal", times.signal},
+                {"primitive", times.primitive},
+                {"structural", times.structural},
+                {"assembly", times.assembly},
+                {"decision", times.decision},
+                {"total", times.total()}}},
+              {"config", config}};
+  if (percept.unpaired > 0) result["unpaired"] = percept.unpaired;
+  return result;
 }
 
 void write_result(const OutputPath& folder, const Input& input, const SegmentedFrame& found, const Json& config,

@@ -88,14 +88,14 @@ class DaskTest(unittest.TestCase):
     def test_workers_take_the_config_and_model_that_are_there_now(self):
         config, model = self.work / "mine.yaml", self.work / "model.json"
         shutil.copy(pathlib.Path(gestalt.data_directory(), "models", "default.json"), model)
-        config.write_text(f"extends: default.yaml\nmodel: {model}\n")
+        config.write_text(f"schema_version: 1\nextends: default.yaml\nmodel: {model}\n")
 
         def patches():
             outcome = gestalt.dask.segment(self.client, [demo], self.work / "changed", config)[0]
             return json.loads(pathlib.Path(outcome.folder, "result.json").read_text())
 
         before = patches()
-        config.write_text(f"extends: default.yaml\nmodel: {model}\ndecision: {{figure_ground: {{separate: false}}}}\n")
+        config.write_text(f"schema_version: 1\nextends: default.yaml\nmodel: {model}\ndecision: {{figure_ground: {{separate: false}}}}\n")
         self.assertNotEqual(patches()["config"]["values"], before["config"]["values"])
         content = json.loads(model.read_text())
         forest = content["levels"]["structural"]["state"]
