@@ -51,13 +51,14 @@ TEST(OverrideSets, NameThePlaceOfAnError) {
   const auto refuse = [&](const std::string& text, const Texts& words) {
     expect_error([&] { read_override_sets(folder.write("v.yaml", text)); }, words);
   };
-  refuse("", {"v.yaml:1:1", "no variants"});
+  refuse("# none\n", {"v.yaml:1:1", "no variants"});
+  refuse("", {"v.yaml: is empty"});
   refuse("[a=b]\n", {"no variants"});
   refuse("a: b=c\na: b=d\n", {"v.yaml:2:1", "'a'", "second time"});
   refuse("a: b=c\nd: []\n", {"v.yaml:2:1", "'d'"});
   refuse("a:\n  - {b: c}\n", {"v.yaml:2:5", "path=value"});
   refuse("a: [b\n", {"v.yaml:2:1", "no YAML"});
-  expect_error([&] { read_override_sets(folder.path() / "nothing.yaml"); }, {"nothing.yaml", "cannot be read"});
+  expect_error([&] { read_override_sets(folder.path() / "nothing.yaml"); }, {"nothing.yaml", "does not exist"});
 }
 
 }  // namespace

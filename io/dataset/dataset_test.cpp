@@ -165,12 +165,16 @@ TEST(LabelledClouds, BeyondSixteenBitsOfMillimetresAreRefused) {
   EXPECT_THROW(read_labelled_cloud(folder.write("a.pcd", cloud("1 20 30 30")), camera), InputError);
 }
 
-TEST(LabelledClouds, WithoutLabelsAreRefused) {
+TEST(LabelledClouds, NeedLabelsOnlyWhereTheirMeaningIsTold) {
   const TemporaryFolder folder;
   std::string text = cloud("1 1 1 1");
   text.replace(text.find("label"), 5, "other");
   text.replace(text.find("70 1"), 2, "2 ");
-  EXPECT_THROW(read_labelled_cloud(folder.write("a.pcd", text), CameraFile(Camera{2, 2, 1, 1, 0.5, 0.5})), InputError);
+  ReadOptions options(Camera{2, 2, 1, 1, 0.5, 0.5});
+  const std::filesystem::path file = folder.write("a.pcd", text);
+  EXPECT_TRUE(read_labelled_cloud(file, options).images.label.empty());
+  options.labels = LabelScheme::osd;
+  EXPECT_THROW(read_labelled_cloud(file, options), InputError);
 }
 
 }  // namespace

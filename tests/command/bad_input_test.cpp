@@ -63,7 +63,7 @@ TEST_F(BadInput, WhatDoesNotExist) {
 
 TEST_F(BadInput, WhatIsNoScene) {
   refuse(folder.write("notes.txt", "hello"), 3, {"notes.txt", "no scene", ".pcd"});
-  refuse(scene / "depth.png", 3, {"depth.png", "scene folder"});
+  refuse(scene / "rgb.png", 3, {"rgb.png", "no depth image", "--depth"});
 }
 
 TEST_F(BadInput, ANameThatWouldLeaveTheOutputFolder) {
@@ -71,8 +71,8 @@ TEST_F(BadInput, ANameThatWouldLeaveTheOutputFolder) {
   fs::create_directory(stranger);
   folder.write("stranger/...pcd", pcd({{{0, 0, 1}, 0}}, 1, 1));
   fs::copy(scene / "camera.yaml", stranger);
-  for (const fs::path& input : {stranger, stranger / "...pcd"})
-    refuse(input, 3, {"...pcd", "has the name '..'", "rename it"});
+  refuse(stranger, 3, {"holds no scene"});  // files whose names begin with a dot are passed over
+  refuse(stranger / "...pcd", 3, {"...pcd", "has the name '..'", "rename it"});
   EXPECT_EQ(files_below(stranger).size(), 2u);
 }
 

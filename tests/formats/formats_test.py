@@ -319,7 +319,7 @@ class Bop(FormatsTest):
         scene = self.scene()
         file = scene / "scene_camera.json"
         for text, told in (
-            ("{", "scene_camera.json: is no map"),
+            ("{", "scene_camera.json:1:2: is no valid JSON"),
             ("[]", "scene_camera.json: is no map"),
             ('{"../7": {}}', "is no number of an image"),
             ('{"7": {}}', "7: cam_K must be a list of 9 numbers"),
