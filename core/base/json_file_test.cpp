@@ -46,7 +46,9 @@ TEST(Json, TellsWhereItIsNone) {
 TEST(Json, IsAsDeepAsItMayBe) {
   for (const auto& [open, close] : {std::pair{"[", "]"}, {"{\"a\":", "}"}, {"[{\"a\":", "}]"}}) {
     const std::size_t each = std::string(open).starts_with("[{") ? 2 : 1;
-    const auto nested = [&](std::size_t levels) { return times(levels, open) + "0" + times(levels, close); };
+    const auto nested = [&, &open = open, &close = close](std::size_t levels) {
+      return times(levels, open) + "0" + times(levels, close);
+    };
     EXPECT_EQ(complaint(nested(deepest_json / each)), "");
     for (const std::size_t levels : {deepest_json / each + 1, std::size_t{1'000'000}})
       EXPECT_NE(complaint(nested(levels)).find("has more than 200 levels"), std::string::npos) << open;

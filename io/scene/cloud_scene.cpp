@@ -6,7 +6,6 @@
 #include <algorithm>
 #include <cmath>
 #include <nlohmann/json.hpp>
-#include <ranges>
 
 #include "camera_fit.h"
 #include "cloud_frame.h"
@@ -82,9 +81,9 @@ std::string turned(const FrameChange& frame) {
 [[noreturn]] void refuse_points(const fs::path& file, const PointCloud& cloud) {
   const std::string remedy =
       "; write the points in the camera's frame (x right, y down, z forward), or as an unorganized cloud (HEIGHT 1)";
-  const auto visible = [&](std::size_t i) { return cloud.visible(i); };
-  const auto indices = std::views::iota(std::size_t{0}, cloud.points.size());
-  if (std::ranges::none_of(indices, visible))
+  std::size_t visible = 0;
+  for (std::size_t i = 0; i < cloud.points.size(); ++i) visible += cloud.visible(i);
+  if (visible == 0)
     throw InputError(file.string() +
                      ": no point of the cloud has finite coordinates and lies before the camera (z > 0)");
   if (!fitted_camera(cloud))
