@@ -3,7 +3,6 @@
 
 #include "crash_report.h"
 
-#include <tbb/task_scheduler_observer.h>
 #include <unistd.h>
 
 #include <array>
@@ -59,19 +58,6 @@ void report(int signal) {
   raise(signal);  // the handler is taken back when it is called, so that this ends the process as the fault would
 }
 
-/// For the fault of a stack that is full; each thread has its own.
-void use_spare_stack() {
-  thread_local std::array<char, 65536> stack;
-  const stack_t other{stack.data(), 0, stack.size()};
-  sigaltstack(&other, nullptr);
-}
-
-/// Gives one to the threads that do the loops' work.
-class WorkerStacks : public tbb::task_scheduler_observer {
- public:
-  void on_scheduler_entry(bool) override { use_spare_stack(); }
-};
-
 std::atomic<bool> is_unfinished = false;
 
 void refuse_exit() {
@@ -97,9 +83,9 @@ void refuse_exit() {
 
 void report_crashes() {
   otherwise = std::set_terminate(report_lack_of_memory);
-  static WorkerStacks workers;
-  workers.observe(true);
-  use_spare_stack();
+  static std::array<char, 65536> stack;  // for the fault of a stack that is full
+  const stack_t other{stack.data(), 0, stack.size()};
+  sigaltstack(&other, nullptr);
   for (const int signal : {SIGSEGV, SIGBUS, SIGFPE, SIGILL, SIGABRT}) {
     struct sigaction known {};
     if (sigaction(signal, nullptr, &known) != 0 || known.sa_handler != SIG_DFL) continue;
