@@ -30,7 +30,8 @@ def cmake(*words):
     subprocess.run(["cmake", *map(str, words)], check=True, stdout=sys.stderr)
 
 
-TARGETS = ("config_schema", "gestalt_python")  # the schema is made by the command with all plugins
+# The schema is made by the command with all plugins; the codecs are loaded when a file needs them.
+TARGETS = ("config_schema", "gestalt_python", "gestalt_image_codecs")
 COMPONENTS = ("runtime", "python")
 
 
