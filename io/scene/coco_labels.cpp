@@ -155,8 +155,9 @@ cv::Mat_<int> read_coco_labels(const fs::path& file, cv::Size size, const std::s
     if (segmentations.size() == most_annotations)
       fail("has more than " + std::to_string(most_annotations) + " objects");
     segmentations.push_back(&annotation);
+    ++number;
     try {
-      areas.emplace_back(-cv::countNonZero(mask_of(annotation.value("segmentation", json()), size)), ++number);
+      areas.emplace_back(-cv::countNonZero(mask_of(annotation.value("segmentation", json()), size)), number);
     } catch (const InputError& error) {
       fail("annotation " + std::to_string(number) + ": " + error.what());
     }

@@ -71,6 +71,8 @@ std::optional<cv::Size> pnm_size(std::string_view bytes) {
 /// The attributes of the first part: name, type, size of the value, value.
 std::optional<cv::Size> exr_size(std::string_view bytes) {
   bytes.remove_prefix(std::min<std::size_t>(8, bytes.size()));
+  std::optional<cv::Size> declared;
+  // To the end: OpenEXR takes memory for what any attribute claims.
   while (!bytes.empty() && bytes[0] != '\0') {
     const std::size_t name = bytes.find('\0');
     const std::size_t type = name == bytes.npos ? name : bytes.find('\0', name + 1);
@@ -81,11 +83,11 @@ std::optional<cv::Size> exr_size(std::string_view bytes) {
       const auto corner = [&](std::size_t i) {
         return std::int64_t(std::int32_t(number_at(bytes, value + 4 * i, 4, false)));
       };
-      return size_of(corner(2) - corner(0) + 1, corner(3) - corner(1) + 1);
+      declared = size_of(corner(2) - corner(0) + 1, corner(3) - corner(1) + 1);
     }
     bytes.remove_prefix(value + size);
   }
-  return std::nullopt;
+  return bytes.empty() ? std::nullopt : declared;
 }
 
 }  // namespace
