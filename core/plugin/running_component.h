@@ -13,7 +13,7 @@ namespace gestalt {
 /// long as the process.
 GESTALT_EXPORT const char* running_component() noexcept;
 
-/// The component that the calling thread works for; null: none. For whoever reports that the process ends.
+/// The component that the calling thread works for; null: none. For a report of the end of the process.
 GESTALT_EXPORT const char* own_component() noexcept;
 
 /// All that are at work at the moment, each once, in no order. Takes a lock: not for signal handlers.
