@@ -42,9 +42,9 @@ std::string number(double value) {
 }
 
 /// What is asked of a depth image, from pixels on a grid.
-class Samples {
+class DepthSamples {
  public:
-  explicit Samples(const DepthReading& depth) : scale_(depth.unit.metres), whole_(depth.whole_numbers) {
+  explicit DepthSamples(const DepthReading& depth) : scale_(depth.unit.metres), whole_(depth.whole_numbers) {
     const cv::Mat_<float>& z = depth.metres;
     const int step = std::max(1, int(std::sqrt(double(z.total()) / most_samples)));
     double differences = 0, squares = 0, pairs = 0;
@@ -114,7 +114,7 @@ class Samples {
 };
 
 /// "--unit mm (0.62 to 2.6 m), --unit cm (6.2 to 26 m)": the units in which one sees something, the likeliest first.
-std::string likely_units(const Samples& samples, const DepthUnit& read) {
+std::string likely_units(const DepthSamples& samples, const DepthUnit& read) {
   struct Candidate {
     double metres, distance;
   };
@@ -181,7 +181,7 @@ class Planes {
 };
 
 /// What whole numbers tell by their low bits and their number. Throws.
-void question_numbers(const std::string& name, const Samples& samples, const DepthUnit& unit) {
+void question_numbers(const std::string& name, const DepthSamples& samples, const DepthUnit& unit) {
   const auto refuse = [&](const std::string& what) { throw InputError(name + ": " + what); };
   const bool millimetres = std::abs(unit.metres - 0.001) < 1e-5;
   if ((samples.whole() || samples.distinct() > 1) && samples.distinct() <= 40 && samples.largest_unit() <= 50 &&
@@ -199,7 +199,7 @@ void question_numbers(const std::string& name, const Samples& samples, const Dep
         "--depth-kind rotated, or --unit mm if it is in millimetres all the same");
 }
 
-void question_range(const std::string& name, const DepthReading& depth, const Samples& samples,
+void question_range(const std::string& name, const DepthReading& depth, const DepthSamples& samples,
                     std::vector<std::string>& warnings) {
   const DepthUnit& unit = depth.unit;
   const std::string read =
@@ -238,7 +238,7 @@ void question_range(const std::string& name, const DepthReading& depth, const Sa
 
 void question_depth(const std::string& name, const DepthReading& depth, const Camera& camera,
                     std::vector<std::string>& warnings) {
-  const Samples samples(depth);
+  const DepthSamples samples(depth);
   if (samples.count() == 0) return;  // make_frame() says so
   if (!depth.unit.told && samples.count() >= few) question_numbers(name, samples, depth.unit);
   question_range(name, depth, samples, warnings);
