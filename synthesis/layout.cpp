@@ -5,9 +5,9 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "brands.h"
+#include "degree.h"
 #include "repeat.h"
 #include "room_layout.h"
 #include "shapes.h"
@@ -16,8 +16,6 @@
 namespace gestalt::synthesis {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// How far and how steeply a category is looked at, and how much of the table it takes.
 struct Framing {

@@ -5,15 +5,13 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
+#include "degree.h"
 #include "shapes.h"
 
 namespace gestalt::synthesis {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 /// Lacquer, cloth, concrete, wood.
 Texture surface(double width, double height, Random& random) {

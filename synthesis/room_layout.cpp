@@ -5,10 +5,10 @@
 
 #include <algorithm>
 #include <cmath>
-#include <numbers>
 
 #include "brands.h"
 #include "container.h"
+#include "degree.h"
 #include "grocery.h"
 #include "packing.h"
 #include "repeat.h"
@@ -19,8 +19,6 @@
 namespace gestalt::synthesis {
 
 namespace {
-
-constexpr double degree = std::numbers::pi / 180;
 
 Eigen::AngleAxisd about_z(double angle) { return {angle, Eigen::Vector3d::UnitZ()}; }
 
