@@ -32,7 +32,7 @@ std::string text_of(const CameraFile& camera) {
   return text;
 }
 
-/// Nothing where nothing is told, so that results of before are found again.
+/// Empty for default options, so that earlier results stay valid.
 std::string text_of(const ReadOptions& read) {
   std::string text;
   if (read.camera) text += "camera " + text_of(*read.camera) + "\n";

@@ -7,7 +7,7 @@
 /// Decodes a whole image file, its pixels as they are stored. Gives "", or what is wrong.
 extern "C" __attribute__((visibility("default"))) const char* gestalt_decode_image(const char* bytes, std::size_t size,
                                                                                    cv::Mat* image) {
-  // What is wrong is told by who called, with the file's name.
+  // The caller reports errors, with the file's name.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   try {
     const cv::Mat buffer(1, int(size), CV_8UC1, const_cast<char*>(bytes));
