@@ -23,7 +23,7 @@ constexpr double tolerance = 0.001;  ///< m, of a surface's triangles
 constexpr std::uint8_t grey = 190;   ///< of what is no object, where there is no colour
 
 /// Otherwise the cloud would take the intrinsics that lie near it.
-CameraFile camera_of(const fs::path& file) {
+Camera camera_of(const fs::path& file) {
   const nlohmann::json content = read_result_content(file);
   try {
     const nlohmann::json& camera = content.at("camera");
@@ -89,7 +89,9 @@ ViewedResult read_viewed_result(const fs::path& folder) {
   std::error_code ignored;
   if (!fs::exists(cloud, ignored))
     throw InputError(cloud.string() + ": does not exist; segment the scene with --also pcd");
-  const Input input = read_scene(cloud, camera_of(file));
+  ReadOptions options = camera_of(file);
+  options.labels = LabelScheme::osd;  // keeps the numbers of segments as they are
+  const Input input = read_scene(cloud, options);
   if (input.ground_truth.empty()) throw InputError(cloud.string() + ": has no labels; segment the scene again");
 
   ViewedResult result{

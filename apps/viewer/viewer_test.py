@@ -83,7 +83,7 @@ class Viewer(unittest.TestCase):
         other = self.out / "viewed"
         script = """
           "$1" segment "$2" --output "$3" --also pcd --view &
-          xdotool search --sync --onlyvisible --name "^gestalt: $(basename "$2")$" windowfocus --sync
+          timeout 60 xdotool search --sync --onlyvisible --name "^gestalt: $(basename "$2")$" windowfocus --sync
           for key in m i Next Prior q; do sleep 0.5; xdotool key $key; done
           wait $!"""
         done = run(*DISPLAY, "bash", "-euc", script, "bash", GESTALT, SCENE, other)
