@@ -1,8 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <cstdint>
+
 #include "gestalt/core/base/error.h"
-#include "gestalt/core/base/hash.h"
 #include "gestalt/core/config/config.h"
 
 namespace gestalt {
@@ -35,6 +36,16 @@ std::string level_text(Level name, const LevelConfig& level) {
          std::to_string(level.negatives) + "\n";
 }
 
+/// Not digest(): models hold it.
+std::string fnv_1a(std::string_view text) {
+  std::uint64_t state = 0xcbf29ce484222325u;
+  for (const char c : text) state = (state ^ static_cast<unsigned char>(c)) * 0x100000001b3u;
+  constexpr char digits[] = "0123456789abcdef";
+  std::string hexadecimal;
+  for (int shift = 60; shift >= 0; shift -= 4) hexadecimal += digits[(state >> shift) & 15];
+  return hexadecimal;
+}
+
 }  // namespace
 
 std::string canonical_surfaces(const Config& config) {
@@ -55,7 +66,7 @@ std::string config_hash(const Config& config, Level level) {
   std::string text = primitive_text(config);
   for (const ComponentConfig& relation : own.relations) text += component_text("relation", relation);
   text += "minimum_size " + std::to_string(own.minimum_size) + "\n";
-  return content_hash(text);
+  return fnv_1a(text);
 }
 
 }  // namespace gestalt

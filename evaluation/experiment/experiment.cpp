@@ -14,7 +14,6 @@
 #include "gestalt/core/base/digest.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/for_all.h"
-#include "gestalt/core/base/hash.h"
 #include "gestalt/evaluation/score/feature_score.h"
 #include "gestalt/io/scene/input.h"
 #include "result_file.h"

@@ -8,8 +8,8 @@
 #include <nlohmann/json.hpp>
 #include <sstream>
 
+#include "gestalt/core/base/digest.h"
 #include "gestalt/core/base/error.h"
-#include "gestalt/core/base/hash.h"
 #include "gestalt/core/base/json_file.h"
 #include "gestalt/core/base/output_file.h"
 
@@ -153,7 +153,7 @@ Json to_json(const ExperimentResult& result) {
 }
 
 ResultFile::ResultFile(const std::filesystem::path& store, std::string key)
-    : key_(std::move(key)), file_(store / (content_hash(key_) + ".json")) {}
+    : key_(std::move(key)), file_(store / (digest(key_) + ".json")) {}
 
 std::optional<ExperimentResult> ResultFile::read(const std::function<void(const std::string&)>& warning) const {
   std::error_code error;
@@ -164,7 +164,7 @@ std::optional<ExperimentResult> ResultFile::read(const std::function<void(const 
     const Json json = Json::parse(text);  // in its order, which the checksum is of
     if (json.at("format") != format_name) throw Error("it is no result of an experiment");
     if (json.at("key") != key_) throw Error("it belongs to another experiment");
-    if (json.at("checksum") != content_hash(json.at("result").dump())) throw Error("its checksum is wrong");
+    if (json.at("checksum") != digest(json.at("result").dump())) throw Error("its checksum is wrong");
     return result_of(json.at("result"));
   } catch (const std::exception& reason) {
     if (warning) warning(file_.string() + ": is damaged and is computed again: " + reason.what());
@@ -174,7 +174,7 @@ std::optional<ExperimentResult> ResultFile::read(const std::function<void(const 
 
 void ResultFile::write(const ExperimentResult& result) const {
   const Json json = to_json(result);
-  const Json content{{"format", format_name}, {"key", key_}, {"checksum", content_hash(json.dump())}, {"result", json}};
+  const Json content{{"format", format_name}, {"key", key_}, {"checksum", digest(json.dump())}, {"result", json}};
   write_files({{file_, content.dump(1) + "\n"}});
 }
 

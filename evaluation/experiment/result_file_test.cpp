@@ -9,7 +9,7 @@
 #include <limits>
 #include <nlohmann/json.hpp>
 
-#include "gestalt/core/base/hash.h"
+#include "gestalt/core/base/digest.h"
 #include "gestalt/tests/environment/temporary_folder.h"
 
 namespace gestalt::test {
@@ -29,7 +29,7 @@ class KeptResult : public testing::Test {
   std::optional<ExperimentResult> read(const std::string& key = "key\n") {
     return ResultFile(folder.path(), key).read([&](const std::string& message) { warnings.push_back(message); });
   }
-  std::filesystem::path file() const { return folder.path() / (content_hash("key\n") + ".json"); }
+  std::filesystem::path file() const { return folder.path() / (digest("key\n") + ".json"); }
 
   const TemporaryFolder folder;
   ExperimentResult result;

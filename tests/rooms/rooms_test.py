@@ -14,7 +14,7 @@ SOURCE, BUILD = map(pathlib.Path, sys.argv[1:])
 
 # A source of a room, and headers that it must not find.
 FORBIDDEN = {
-    "core/base/hash.cpp": ["core/scene/frame.h", "core/plugin/parameters.h"],
+    "core/base/digest.cpp": ["core/scene/frame.h", "core/plugin/parameters.h"],
     "core/scene/scene.cpp": ["core/plugin/relation.h", "core/config/config.h", "io/scene/input.h"],
     "core/plugin/registry.cpp": ["core/config/config.h", "core/pipeline/pipeline.h"],
     "core/config/config.cpp": ["core/pipeline/pipeline.h", "io/result/result.h"],
