@@ -33,6 +33,7 @@ function(gestalt_precompile folder)
     get_target_property(libraries ${target} LINK_LIBRARIES)
     if(libraries MATCHES "GTest::")
       target_precompile_headers(${target} REUSE_FROM gestalt_precompiled_test)
+      set_target_properties(${target} PROPERTIES UNITY_BUILD OFF) # their files may use the same names
     else()
       target_precompile_headers(${target} REUSE_FROM gestalt_precompiled)
     endif()

@@ -12,11 +12,11 @@ namespace gestalt::synthesis {
 
 cv::Mat_<uchar> beside_jumps(const cv::Mat_<float>& depth, int radius) {
   const cv::Mat box = cv::getStructuringElement(cv::MORPH_RECT, {2 * radius + 1, 2 * radius + 1});
-  cv::Mat nearest, farthest;
-  cv::erode(depth, nearest, box);
-  cv::dilate(depth, farthest, box);
+  cv::Mat lowest, highest;
+  cv::erode(depth, lowest, box);
+  cv::dilate(depth, highest, box);
   // A plane seen at 60 degrees changes by 0.003 of its depth per pixel: no jump.
-  return farthest - nearest > 0.02 * farthest;
+  return highest - lowest > 0.02 * highest;
 }
 
 namespace {
