@@ -34,28 +34,6 @@ cv::Mat backdrop(const Frame& frame) {
   return picture;
 }
 
-cv::Mat draw_segments(const Frame& frame, const Segmentation& segmentation) {
-  const cv::Mat_<std::uint16_t>& labels = segmentation.labels;
-  const cv::Mat below = backdrop(frame);
-  cv::Mat picture(labels.size(), CV_8UC3);
-  for (int v = 0; v < labels.rows; ++v)
-    for (int u = 0; u < labels.cols; ++u) {
-      const int own = labels(v, u);
-      const auto differs = [&](int x, int y) { return x < labels.cols && y < labels.rows && labels(y, x) != own; };
-      const cv::Vec3b base = below.at<cv::Vec3b>(v, u);
-      auto& pixel = picture.at<cv::Vec3b>(v, u);
-      if (differs(u + 1, v) || differs(u, v + 1) || differs(u + 1, v + 1))
-        pixel = {255, 255, 255};
-      else if (own == 0)
-        pixel = base * 0.5;
-      else if (segmentation.segments[std::size_t(own) - 1].role == Role::background)
-        pixel = base;
-      else
-        pixel = base * 0.5 + segment_colour(own) * 0.5;
-    }
-  return picture;
-}
-
 cv::Mat draw_patches(const cv::Mat_<int>& labels) {
   cv::Mat picture(labels.size(), CV_8UC3, cv::Scalar::all(0));
   for (int v = 0; v < labels.rows; ++v)

@@ -24,8 +24,9 @@ GESTALT_EXPORT nlohmann::json result_json(const Input& input, const SegmentedFra
 /// The colour of a segment or patch in pictures and meshes, blue green red, by its number.
 GESTALT_EXPORT cv::Vec3b segment_colour(int label);
 
-/// CV_8UC3: the objects tinted over the colour image (over shaded depth when there is none), background untinted,
-/// with the outlines of all segments.
+/// CV_8UC3: the objects over the colour image (over shaded depth when there is none), each tinted, outlined and with
+/// its label; background as it is, pixels of no segment dimmed. Gaps of up to 64 such pixels are drawn as what is
+/// beside them.
 GESTALT_EXPORT cv::Mat draw_segments(const Frame& frame, const Segmentation& segmentation);
 
 /// CV_8UC3: every patch after surface merging in a colour of its own, black where there is none.
