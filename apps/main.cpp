@@ -1,6 +1,9 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
+#include <poll.h>
+#include <unistd.h>
+
 #include <algorithm>
 #include <csignal>
 #include <exception>
@@ -8,31 +11,29 @@
 #include <iostream>
 #include <new>
 #include <string>
+#include <utility>
 #include <vector>
 
 #include "built_with.h"
 #include "crash_report.h"
 #include "gestalt/apps/commands/command.h"
 #include "gestalt/core/base/error.h"
-#include "gestalt/core/base/suggest.h"
 #include "plain_text.h"
+#include "usage.h"
 
 namespace {
 
-/// What was printed is lost when standard output is a full disk or a closed pipe: then the run has failed.
-int printed(int code) {
-  if (std::cout.flush()) return code;
-  std::cerr << "gestalt: error: standard output cannot be written; check free space\n";
-  return code == gestalt::app::success ? gestalt::app::run_failed : code;
+/// The reader of standard output has closed it, as `head` does, which is not a failure.
+bool reader_has_gone() {
+  pollfd output{STDOUT_FILENO, POLLOUT, 0};
+  return poll(&output, 1, 0) == 1 && (output.revents & POLLERR) != 0;
 }
 
-/// CLI11 would only say that a subcommand is required.
-void require_known(const CLI::App& app, const std::string& word) {
-  std::vector<std::string> names;
-  for (const CLI::App* command : app.get_subcommands({})) names.push_back(command->get_name());
-  if (word.starts_with('-') || std::find(names.begin(), names.end(), word) != names.end()) return;
-  throw gestalt::ConfigError("there is no subcommand '" + word + "'" + gestalt::did_you_mean(word, names) +
-                             "; see gestalt --help");
+/// What was printed is lost when standard output is on a full disk: then the run has failed.
+int printed(int code) {
+  if (std::cout.flush() || reader_has_gone()) return code;
+  std::cerr << "gestalt: error: standard output cannot be written; check free space\n";
+  return code == gestalt::app::success ? gestalt::app::run_failed : code;
 }
 
 int report(const std::exception& error, int code) {
@@ -48,19 +49,18 @@ int run_command(int argc, char** argv) {
   CLI::App app{"Segments unknown objects in RGB-D frames of cluttered scenes by learned perceptual grouping",
                "gestalt"};
   app.require_subcommand(1);
-  app.set_version_flag("--version", built_with, "Print this version and those of what it was built with");
+  app.set_version_flag("-v,--version", built_with, "Print this version and those of what it was built with");
   app.footer(
       "Example: gestalt segment examples/demo_scene --output out\n"
       "Exit codes: 0 success, 1 the run failed, 2 wrong usage or config, 3 unusable input.");
   Run run;
   Subcommand::add_all(app, run);
   try {
-    if (argc > 1) require_known(app, argv[1]);
-    app.parse(argc, argv);
-  } catch (const gestalt::ConfigError& error) {
-    return report(error, wrong_usage);
+    std::vector<std::string> words = command_line(argc, argv);
+    std::reverse(words.begin(), words.end());  // as CLI11 takes them
+    app.parse(std::move(words));
   } catch (const CLI::ParseError& error) {
-    return printed(app.exit(error) == 0 ? success : wrong_usage);
+    return printed(report_usage(app, error));
   }
   try {
     std::error_code error;

@@ -110,8 +110,7 @@ SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene) const
   write_result(folder, input, found, config, std::move(more));
   const auto objects = std::count_if(segmentation.segments.begin(), segmentation.segments.end(),
                                      [](const Segment& segment) { return segment.role == Role::object; });
-  return {folder.path(), std::size_t(objects), segmentation.segments.size(), found.percept.surfaces().surfaces.size(),
-          found.times.total()};
+  return {folder.path(), std::size_t(objects), found.percept.surfaces().surfaces.size(), found.times.total()};
 }
 
 std::filesystem::path SceneSegmenter::folder_of(const std::filesystem::path& scene) const {

@@ -33,8 +33,7 @@ std::set<std::string> result_names();
 /// What was found in a scene.
 struct SegmentedScene {
   std::filesystem::path folder;  ///< of the results
-  std::size_t objects = 0;       ///< the segments that are no background
-  std::size_t segments = 0;
+  std::size_t objects = 0;       ///< segments that are not background
   std::size_t patches = 0;
   double milliseconds = 0;  ///< of all levels
 };

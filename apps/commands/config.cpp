@@ -20,7 +20,9 @@ struct Options {
 };
 
 void add_options(CLI::App& command, PipelineOptions& options) {
-  command.add_option("file", options.config, "Config file, or the name of an installed one (default: default.yaml)")
+  command
+      .add_option("file,--config", options.config,
+                  "Config file, or the name of an installed one (default: default.yaml)")
       ->type_name("FILE");
   command
       .add_option("--set", options.overrides,
@@ -83,7 +85,8 @@ void add_config(CLI::App& app, Run& run) {
 
   CLI::App* schema_command =
       command->add_subcommand("schema", "Print the JSON schema of a config, by which editors complete and check one");
-  schema_command->add_option("file", options->pipeline.config, "Search the plugin_directories of this config, too")
+  schema_command
+      ->add_option("file,--config", options->pipeline.config, "Search the plugin_directories of this config, too")
       ->type_name("FILE");
   schema_command->footer("Example: gestalt config schema > config.schema.json");
   schema_command->callback([options, &run] { run = [options] { return schema(*options); }; });

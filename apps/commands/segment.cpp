@@ -20,6 +20,12 @@ namespace gestalt::app::segment_command {
 
 namespace {
 
+/// "1 object", "2 objects"; "patches".
+std::string counted(std::size_t count, const std::string& noun) {
+  const std::string plural = noun.ends_with("ch") ? "es" : "s";
+  return std::to_string(count) + " " + noun + (count == 1 ? "" : plural);
+}
+
 struct Options {
   std::vector<std::filesystem::path> inputs;
   FrameOptions frame;
@@ -49,8 +55,8 @@ int segment(const Options& options) {
     }
     const SegmentedScene done = segmenter.segment(scene);
     std::ostringstream line;
-    line << done.folder.string() << ": " << done.segments << " segments of " << done.patches << " patches, "
-         << std::fixed << std::setprecision(0) << done.milliseconds << " ms";
+    line << done.folder.string() << ": " << counted(done.objects, "object") << ", " << counted(done.patches, "patch")
+         << ", " << std::fixed << std::setprecision(0) << done.milliseconds << " ms";
     const std::lock_guard lock(mutex);
     written.emplace(scene, done.folder);
     return line.str();

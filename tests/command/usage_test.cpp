@@ -5,6 +5,7 @@
 
 #include <array>
 #include <cstdio>
+#include <cstdlib>
 #include <memory>
 #include <nlohmann/json.hpp>
 #include <set>
@@ -56,6 +57,29 @@ TEST(Usage, HelpAndVersion) {
   }
 }
 
+TEST(Usage, HelpAndVersionAreSubcommandsToo) {
+  EXPECT_EQ(run_gestalt({"help"}).out, run_gestalt({"--help"}).out);
+  EXPECT_EQ(run_gestalt({"help", "config", "print"}).out, run_gestalt({"config", "print", "--help"}).out);
+  for (const char* word : {"version", "-v"}) EXPECT_EQ(run_gestalt({word}).out, run_gestalt({"--version"}).out);
+}
+
+TEST(Usage, NothingButTheNameGetsTheHelp) {
+  const std::string help = run_gestalt({"--help"}).out;
+  const Outcome outcome = run_gestalt({});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_TRUE(outcome.err.starts_with(help)) << outcome.err;
+}
+
+TEST(Usage, AReaderThatHasReadEnoughIsNoFailure) {
+  const TemporaryFolder folder;
+  const std::string err = folder.path() / "err";
+  // The pipe is closed before the first line is printed.
+  const std::string script =
+      std::string("set -o pipefail; { sleep 1; exec ") + GESTALT_COMMAND + " config print 2>" + err + "; } | true";
+  EXPECT_EQ(std::system(("bash -c '" + script + "'").c_str()), 0);
+  EXPECT_EQ(fs::file_size(err), 0u);
+}
+
 /// What bash offers for the last of some words.
 std::set<std::string> completed(const std::vector<std::string>& words) {
   const TemporaryFolder folder;
@@ -103,7 +127,13 @@ TEST(Usage, WrongUsageIsNamedAndHasExitCode2) {
         Wrong{{"plugins"}, "subcommand is required"},
         Wrong{{"config"}, "subcommand is required"},
         Wrong{{"segment"}, "inputs"},
-        Wrong{{"segment", scene, "--outptu", "x"}, "--outptu"},
+        Wrong{{"segment", scene, "--outptu", "x"}, "unknown option '--outptu'; did you mean '--output'?"},
+        Wrong{{"segment", scene, "--outptu=x"}, "did you mean '--output'?"},
+        Wrong{{"segment", scene, "--outptu", "x"}, "See gestalt segment --help"},
+        Wrong{{"--verison"}, "did you mean '--version'?"},
+        Wrong{{"config", "prnt"}, "did you mean 'print'?"},
+        Wrong{{"train", scene, "--outptu", "x"}, "did you mean '--output'?"},
+        Wrong{{"export", "a", "b", "--output", "c"}, "unexpected argument 'b'"},
         Wrong{{"segment", scene, "--output"}, "--output"},
         Wrong{{"segment", scene, "--output", ""}, "--output"},
         Wrong{{"segment", scene, "--threads", "-1"}, "--threads"},
