@@ -6,8 +6,10 @@
 #include <mutex>
 #include <nlohmann/json.hpp>
 #include <string>
+#include <vector>
 
 #include "gestalt/core/pipeline/segmenter.h"
+#include "gestalt/io/scene/depth_only.h"
 #include "pipeline_options.h"
 
 namespace gestalt::app {
@@ -16,9 +18,6 @@ namespace gestalt::app {
 /// when the first such scene comes.
 class DepthOnly {
  public:
-  /// Whether the user asked for nothing that it would replace: no config, model, relation or classifier.
-  static bool may_replace(const PipelineOptions& options);
-
   /// reading: names how scenes are to be read.
   DepthOnly(const PipelineOptions& options, std::string reading);
 
@@ -50,5 +49,16 @@ class DepthOnly {
   std::string reading_;
   std::unique_ptr<Shared> shared_;
 };
+
+/// Whether it may take the place of what the options ask for (depth_only_may_replace()).
+bool depth_only_may_replace(const PipelineOptions& options);
+
+/// Options for scenes that are trained on or scored together: as they are; or with depth_only.yaml where it may replace
+/// the default and no scene has colour, which is told on stderr, with a remark behind it.
+PipelineOptions options_for_all(PipelineOptions options, const std::vector<std::filesystem::path>& scenes,
+                                const ReadOptions& read, const std::string& remark = "");
+
+/// read_and_warn() of one of them. Throws InputError where it alone has no colour, and no config was asked for.
+Input read_one_of_many(const std::filesystem::path& scene, const ReadOptions& read, const PipelineOptions& options);
 
 }  // namespace gestalt::app

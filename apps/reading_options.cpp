@@ -3,31 +3,34 @@
 
 #include "reading_options.h"
 
+#include <algorithm>
 #include <iostream>
 #include <map>
 #include <mutex>
 #include <set>
 
 #include "gestalt/io/scene/depth_unit.h"
+#include "gestalt/io/scene/reading_names.h"
 
 namespace gestalt::app {
 
 namespace {
 
-const std::map<std::string, DepthKind> depth_kinds{
-    {"plain", DepthKind::plain}, {"radial", DepthKind::radial}, {"rotated", DepthKind::rotated}};
-
-/// "parts" is what --labels of convert called it first.
-const std::map<std::string, LabelScheme> label_schemes{{"osd", LabelScheme::osd},
-                                                       {"parts", LabelScheme::osd},
-                                                       {"objects", LabelScheme::objects},
-                                                       {"colours", LabelScheme::colours}};
-
-template <class Value>
-std::vector<std::string> names_of(const std::map<std::string, Value>& named) {
+/// An option that takes the name of a value.
+template <class Named, class Value>
+CLI::Option* add_named(CLI::App& command, const std::string& option, const Named& named, Value& value,
+                       const std::string& what) {
+  std::map<std::string, Value> values;
   std::vector<std::string> names;
-  for (const auto& [name, value] : named) names.push_back(name);
-  return names;
+  for (const auto& [name, named_value] : named) {
+    values.emplace(name, named_value);
+    names.emplace_back(name);
+  }
+  std::sort(names.begin(), names.end());
+  return command
+      .add_option_function<std::string>(
+          option, [&value, values](const std::string& name) { value = values.at(name); }, what)
+      ->check(CLI::IsMember(names));
 }
 
 const CLI::Validator is_unit(
@@ -68,20 +71,15 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
       ->check(CLI::Range(1e-9, 1e4))
       ->excludes(unit)
       ->type_name("S");
-  command
-      .add_option_function<std::string>(
-          "--depth-kind", [&](const std::string& name) { options.depth_kind = depth_kinds.at(name); },
-          "What depth is: plain, along the optical axis (the default); radial, the distance from the camera; rotated, "
-          "16 bits rotated by three as in SUN RGB-D")
-      ->check(CLI::IsMember(names_of(depth_kinds)))
+  add_named(
+      command, "--depth-kind", depth_kinds, options.depth_kind,
+      "What depth is: plain, along the optical axis (the default); radial, the distance from the camera; rotated, "
+      "16 bits rotated by three as in SUN RGB-D")
       ->type_name("KIND");
-  command
-      .add_option_function<std::string>(
-          "--labels", [&](const std::string& name) { options.labels = label_schemes.at(name); },
-          "What ground truth counts (default: guessed where that is certain): osd, 0 ignored, 1 to 9 background, 20 to "
-          "29 the first object, ...; objects, 0 background, every other number an object; colours, the commonest is "
-          "background")
-      ->check(CLI::IsMember(names_of(label_schemes)))
+  add_named(command, "--labels", label_schemes, options.labels,
+            "What ground truth counts (default: guessed where that is certain): osd, 0 ignored, 1 to 9 background, 20 "
+            "to 29 the first object, ...; objects, 0 background, every other number an object; colours, the commonest "
+            "is background")
       ->type_name("SCHEME");
 }
 

@@ -87,7 +87,7 @@ SceneSegmenter::SceneSegmenter(const SegmenterOptions& options)
   for (const std::filesystem::path& file : {options.reading.camera, options.reading.colour})
     if (!file.empty()) reading += ' ' + file_digest(file);
   run_ = run_identity(segmenter_.loaded()) + reading;
-  if (DepthOnly::may_replace(options.pipeline)) depth_only_.emplace(options.pipeline, reading);
+  if (depth_only_may_replace(options.pipeline)) depth_only_.emplace(options.pipeline, reading);
 }
 
 SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene) const {

@@ -9,6 +9,7 @@
 #include <set>
 
 #include "command.h"
+#include "gestalt/apps/depth_only.h"
 #include "gestalt/apps/experiments.h"
 #include "gestalt/apps/pipeline_options.h"
 #include "gestalt/apps/reading_options.h"
@@ -79,7 +80,7 @@ nlohmann::ordered_json results_json(const std::vector<NamedResult>& results) {
   return json;
 }
 
-int ablate(const Options& options) {
+int ablate(Options options) {
   const ThreadLimit limit(options.pipeline.threads);
   Protocol protocol;
   protocol.learn = find_scenes(options.scenes);
@@ -88,6 +89,7 @@ int ablate(const Options& options) {
   protocol.seed = options.seed;
   protocol.read = read_options(options.reading);
   require_apart(protocol);
+  options.pipeline = options_for_all(options.pipeline, protocol.learn, protocol.read);
 
   const LoadedConfig loaded = load_config(options.pipeline);
   const std::vector<Variant> variants = all_variants(options, loaded);

@@ -15,6 +15,7 @@
 #include <optional>
 
 #include "command.h"
+#include "gestalt/apps/depth_only.h"
 #include "gestalt/apps/pipeline_options.h"
 #include "gestalt/apps/reading_options.h"
 #include "gestalt/core/base/error.h"
@@ -131,10 +132,7 @@ class Evaluation {
     }
     if (scored.empty()) std::rethrow_exception(failures_.front());
     print_failures();
-    if (objects_ == 0)
-      throw InputError(
-          "the ground truth of no scene has an object, so that there is nothing to score; if the numbers of "
-          "its labels count objects, give --labels objects");
+    require_objects(objects_);
     const std::vector<ScoreRow> table = with_mean(summarise(scored, their_rows));
     if (options_.json) {
       print_json(table, pairs);
@@ -193,25 +191,21 @@ int score_predictions(const Options& options) {
   return evaluation.report(options.predictions.string());
 }
 
-std::string config_name(const Options& options) {
-  return (options.pipeline.config.empty() ? default_config() : options.pipeline.config).filename().string();
+std::string config_name(const PipelineOptions& options) {
+  return (options.config.empty() ? default_config() : options.config).filename().string();
 }
 
 int score_model(const Options& options) {
-  const Segmenter segmenter = load_segmenter(options.pipeline);
   const ReadOptions read = read_options(options.reading);
   Evaluation evaluation(options);
+  const PipelineOptions pipeline = options_for_all(options.pipeline, evaluation.scenes, read, " and its model");
+  const Segmenter segmenter = load_segmenter(pipeline);
   evaluation.for_each_scene([&](std::size_t i) {
-    const Input input = read_and_warn(evaluation.scenes[i], read);
+    const Input input = read_one_of_many(evaluation.scenes[i], read, pipeline);
     const Labels ground_truth = scored_ground_truth(input);
     evaluation.score(i, ground_truth, segmenter.segment(input.frame).segmentation);
   });
-  return evaluation.report(config_name(options));
-}
-
-LearningScene learning_scene(const Pipeline& pipeline, const fs::path& scene, const ReadOptions& read) {
-  const Input input = read_and_warn(scene, read);
-  return make_learning_scene(pipeline, input.frame, scored_ground_truth(input));
+  return evaluation.report(config_name(pipeline));
 }
 
 std::vector<const LearningScene*> pointers(const std::vector<LearningScene>& scenes) {
@@ -238,19 +232,23 @@ Folds deal(const Options& options, const std::vector<fs::path>& scenes) {
 }
 
 int cross_validate(const Options& options) {
-  const LoadedConfig loaded = load_config(options.pipeline);
-  const Pipeline pipeline(loaded.config, loaded.registry);
   const ReadOptions read = read_options(options.reading);
   Evaluation evaluation(options);
+  const PipelineOptions chosen = options_for_all(options.pipeline, evaluation.scenes, read);
+  const LoadedConfig loaded = load_config(chosen);
+  const Pipeline pipeline(loaded.config, loaded.registry);
+  const auto learning_scene = [&](const fs::path& scene) {
+    const Input input = read_one_of_many(scene, read, chosen);
+    return make_learning_scene(pipeline, input.frame, scored_ground_truth(input));
+  };
   const Folds folds = deal(options, evaluation.scenes);
   // As in training, a scene to learn from that cannot be used ends the run.
   const std::vector<fs::path> others = find_additional_scenes(options.additional, evaluation.scenes);
   std::vector<LearningScene> additional(others.size());
-  for_all(additional.size(), [&](std::size_t i) { additional[i] = learning_scene(pipeline, others[i], read); });
+  for_all(additional.size(), [&](std::size_t i) { additional[i] = learning_scene(others[i]); });
 
   std::vector<LearningScene> perceived(evaluation.scenes.size());
-  evaluation.for_each_scene(
-      [&](std::size_t i) { perceived[i] = learning_scene(pipeline, evaluation.scenes[i], read); });
+  evaluation.for_each_scene([&](std::size_t i) { perceived[i] = learning_scene(evaluation.scenes[i]); });
   std::vector<const LearningScene*> usable = pointers(perceived);
   for (std::size_t i = 0; i < usable.size(); ++i)
     if (evaluation.failed(i)) usable[i] = nullptr;
@@ -268,7 +266,7 @@ int cross_validate(const Options& options) {
     evaluation.score(i, ground_truth, pipeline.decide(perceived[i].percept, models_of(i)));
   });
   if (!options.output.empty()) write_files({{OutputPath(options.output) / "reliability.svg", svg(reliability(pairs))}});
-  return evaluation.report(config_name(options) + ", " + folds.method, pairs);
+  return evaluation.report(config_name(chosen) + ", " + folds.method, pairs);
 }
 
 int evaluate(const Options& options) {

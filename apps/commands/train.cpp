@@ -1,17 +1,20 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-#include <algorithm>
+#include <atomic>
+#include <cstdint>
 #include <iomanip>
 #include <iostream>
 
 #include "command.h"
+#include "gestalt/apps/depth_only.h"
 #include "gestalt/apps/pipeline_options.h"
 #include "gestalt/apps/reading_options.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/for_all.h"
 #include "gestalt/core/base/output_file.h"
 #include "gestalt/core/pipeline/learning_set.h"
+#include "gestalt/evaluation/score/evaluation.h"
 #include "gestalt/io/scene/ground_truth.h"
 #include "gestalt/io/scene/input.h"
 
@@ -25,11 +28,6 @@ struct Options {
   ReadingOptions reading;
   PipelineOptions pipeline;
 };
-
-LearningScene perceive(const Pipeline& pipeline, const std::filesystem::path& scene, const ReadOptions& read) {
-  const Input input = read_and_warn(scene, read);
-  return make_learning_scene(pipeline, input.frame, require_ground_truth(input));
-}
 
 void print_model(const Model& model, Level level) {
   std::cout << name_of(level) << " level: " << model.classifier << " trained on " << model.training.scenes.size()
@@ -45,19 +43,20 @@ int train(const Options& options) {
   const ThreadLimit limit(options.pipeline.threads);
   const std::vector<std::filesystem::path> scenes = find_scenes(options.scenes);
   const ReadOptions read = read_options(options.reading);
-  const LoadedConfig loaded = load_config(options.pipeline);
+  const PipelineOptions chosen =
+      options_for_all(options.pipeline, scenes, read, "; use the model with --config depth_only.yaml, too");
+  const LoadedConfig loaded = load_config(chosen);
   const Pipeline pipeline(loaded.config, loaded.registry);
 
   // A scene that cannot be used ends the training: a model must not silently lack what it was asked to learn.
   std::vector<LearningScene> perceived(scenes.size());
-  for_all(scenes.size(), [&](std::size_t i) { perceived[i] = perceive(pipeline, scenes[i], read); });
-
-  if (std::ranges::none_of(perceived, [](const LearningScene& scene) {
-        return std::ranges::any_of(scene.objects, [](int object) { return object > 1; });
-      }))
-    throw InputError(
-        "the ground truth of no scene has an object; if the numbers of its labels count objects, give "
-        "--labels objects");
+  std::atomic<std::int64_t> objects = 0;
+  for_all(scenes.size(), [&](std::size_t i) {
+    const Input input = read_one_of_many(scenes[i], read, chosen);
+    perceived[i] = make_learning_scene(pipeline, input.frame, require_ground_truth(input));
+    objects += count_objects(input.ground_truth);
+  });
+  require_objects(objects);
   std::vector<const LearningScene*> all;
   all.reserve(perceived.size());
   for (const LearningScene& scene : perceived) all.push_back(&scene);

@@ -7,6 +7,7 @@
 #include <tbb/task_arena.h>
 
 #include <algorithm>
+#include <atomic>
 #include <map>
 #include <mutex>
 #include <set>
@@ -181,16 +182,6 @@ ExperimentResult run_variant(const Variant& variant, const Registry& registry, c
   return summarise_outcomes(shared.set.scenes, scenes, outcomes, variant.config.with_assembly);
 }
 
-SharedScenes perceive(const SharedFeatures& features, const SceneSet& set) {
-  SharedScenes shared{set, std::vector<LearningScene>(set.scenes.size()), std::vector<Labels>(set.scenes.size())};
-  for_all(set.scenes.size(), [&](std::size_t i) {
-    const Input input = read_scene(set.scenes[i].path, set.read);
-    shared.ground_truth[i] = scored_ground_truth(input);
-    shared.perceived[i] = features.perceive(input.frame, shared.ground_truth[i]);
-  });
-  return shared;
-}
-
 /// The files of the program, of the core and of the plugins of a config. They are read each once.
 class Programs {
  public:
@@ -236,12 +227,34 @@ class Reporter {
     if (events_.progress) events_.progress(done_, total_, variant);
   }
 
+  /// Each once: scenes are read for every group of variants.
+  void warn(const std::vector<std::string>& warnings) {
+    const std::lock_guard lock(mutex_);
+    for (const std::string& warning : warnings)
+      if (events_.warning && warned_.insert(warning).second) events_.warning(warning);
+  }
+
  private:
   const ExperimentEvents& events_;
   const std::size_t total_;
+  std::set<std::string> warned_;
   std::size_t done_ = 0;
   std::mutex mutex_;
 };
+
+SharedScenes perceive(const SharedFeatures& features, const SceneSet& set, Reporter& reporter) {
+  SharedScenes shared{set, std::vector<LearningScene>(set.scenes.size()), std::vector<Labels>(set.scenes.size())};
+  std::atomic<std::int64_t> objects = 0;
+  for_all(set.scenes.size(), [&](std::size_t i) {
+    const Input input = read_scene(set.scenes[i].path, set.read);
+    reporter.warn(input.warnings);
+    shared.ground_truth[i] = scored_ground_truth(input);
+    shared.perceived[i] = features.perceive(input.frame, shared.ground_truth[i]);
+    if (set.scenes[i].scored) objects += count_objects(shared.ground_truth[i]);
+  });
+  require_objects(objects);
+  return shared;
+}
 
 /// A variant that has to be computed.
 struct Task {
@@ -256,7 +269,7 @@ void run_group(const std::vector<Task*>& tasks, const Registry& registry, const 
   variants.reserve(tasks.size());
   for (const Task* task : tasks) variants.push_back(task->variant);
   const SharedFeatures features(variants, registry);
-  const SharedScenes shared = perceive(features, set);
+  const SharedScenes shared = perceive(features, set, reporter);
   for_all(tasks.size(), [&](std::size_t i) {
     // A thread that waits inside one variant must not start another: each holds a copy of all scenes.
     tbb::this_task_arena::isolate([&] {

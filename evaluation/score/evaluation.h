@@ -128,6 +128,10 @@ GESTALT_EXPORT cv::Mat_<std::uint16_t> scored_ground_truth(const Input& input);
 GESTALT_EXPORT cv::Mat_<std::uint16_t> read_ground_truth(const std::filesystem::path& scene,
                                                          const ReadOptions& options = {});
 
+/// Throws InputError, with what mends it, for ground truth of many scenes that has no object together: there is nothing
+/// to learn from, and every score of it is full.
+GESTALT_EXPORT void require_objects(std::int64_t objects);
+
 /// Whether a folder has a label image of a scene, made by any program: `FOLDER/<scene>/<image>` or
 /// `FOLDER/<scene>.png`.
 GESTALT_EXPORT bool has_prediction(const std::filesystem::path& folder, const std::string& scene,

@@ -97,6 +97,13 @@ cv::Mat_<std::uint16_t> scored_ground_truth(const Input& input) {
   return labels;
 }
 
+void require_objects(std::int64_t objects) {
+  if (objects == 0)
+    throw InputError(
+        "the ground truth of no scene has an object, so that there is nothing to learn or to score; if the numbers of "
+        "its labels count objects, give --labels objects");
+}
+
 std::vector<int> deal_folds(const std::vector<std::string>& categories, int folds, std::uint64_t seed) {
   const std::size_t scenes = categories.size();
   if (folds < 2 || std::size_t(folds) > scenes)

@@ -32,7 +32,7 @@ from ._gestalt import (
     train,
 )
 from .components import Classifier, Parameter, Relation, Solver, Value, register
-from .types import Path
+from .types import DepthKind, LabelScheme, Path
 
 __all__ = [
     "Camera",
@@ -75,7 +75,16 @@ class Scene(NamedTuple):
     """(height, width) uint16: the ground truth."""
 
 
-def read_scene(path: Path, camera: Camera | None = None, *, depth_scale: float | None = None) -> Scene:
-    """Reads a scene folder or a cloud; camera replaces the scene's, depth_scale (metres per unit) its unit. Warns of what
-    is probably not as it was read. Raises InputError."""
-    return Scene(*_gestalt.read_scene(path, camera, depth_scale=depth_scale))
+def read_scene(
+    path: Path,
+    camera: Camera | None = None,
+    *,
+    depth_scale: float | None = None,
+    depth_kind: DepthKind | None = None,
+    labels: LabelScheme | None = None,
+) -> Scene:
+    """Reads a scene folder or a cloud; camera replaces the scene's, depth_scale (metres per unit) its unit. depth_kind is
+    "plain", "radial" or "rotated", labels "osd", "objects" or "colours", as --depth-kind and --labels of the command.
+    Warns of what is probably not as it was read. Raises InputError."""
+    read = _gestalt.read_scene(path, camera, depth_scale=depth_scale, depth_kind=depth_kind, labels=labels)
+    return Scene(*read)

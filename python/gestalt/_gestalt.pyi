@@ -7,7 +7,7 @@ import numpy
 from numpy.typing import NDArray
 
 from .components import Component
-from .types import Pairs, Path, Paths, Scores
+from .types import DepthKind, LabelScheme, Pairs, Path, Paths, Scores
 
 __version__: str
 
@@ -101,14 +101,35 @@ class Segmenter:
         name: str = "frame",
         *,
         depth_scale: float | None = None,
+        depth_kind: DepthKind | None = None,
     ) -> Result: ...
-    def segment(self, scene: Path, camera: Camera | None = None, *, depth_scale: float | None = None) -> Result: ...
-    def evaluate(self, scenes: Paths, *, depth_scale: float | None = None) -> Scores: ...
+    def segment(
+        self,
+        scene: Path,
+        camera: Camera | None = None,
+        *,
+        depth_scale: float | None = None,
+        depth_kind: DepthKind | None = None,
+        labels: LabelScheme | None = None,
+    ) -> Result: ...
+    def evaluate(
+        self,
+        scenes: Paths,
+        *,
+        depth_scale: float | None = None,
+        depth_kind: DepthKind | None = None,
+        labels: LabelScheme | None = None,
+    ) -> Scores: ...
     @property
     def config(self) -> dict[str, Any]: ...
 
 def read_scene(
-    scene: Path, camera: Camera | None = None, *, depth_scale: float | None = None
+    scene: Path,
+    camera: Camera | None = None,
+    *,
+    depth_scale: float | None = None,
+    depth_kind: DepthKind | None = None,
+    labels: LabelScheme | None = None,
 ) -> tuple[str, NDArray[numpy.uint8] | None, NDArray[numpy.float32], Camera, NDArray[numpy.uint16] | None]: ...
 def train(
     scenes: Paths,
@@ -119,6 +140,8 @@ def train(
     components: Mapping[str, type[Component]] | None = None,
     threads: int = 0,
     depth_scale: float | None = None,
+    depth_kind: DepthKind | None = None,
+    labels: LabelScheme | None = None,
 ) -> dict[str, Any]: ...
 def cross_validate(
     scenes: Paths,
@@ -132,6 +155,8 @@ def cross_validate(
     components: Mapping[str, type[Component]] | None = None,
     threads: int = 0,
     depth_scale: float | None = None,
+    depth_kind: DepthKind | None = None,
+    labels: LabelScheme | None = None,
 ) -> Scores: ...
 def score(ground_truth: NDArray[Any], labels: NDArray[Any]) -> dict[str, float]: ...
 def check_scene_names(scenes: Sequence[Path]) -> None: ...

@@ -4,15 +4,21 @@
 
 import os
 from collections.abc import Sequence
-from typing import TypedDict, Union
+from typing import Literal, TypedDict, Union
 
 import numpy
 from numpy.typing import NDArray
 
-__all__ = ["Pairs", "Path", "Paths", "Scores"]
+__all__ = ["DepthKind", "LabelScheme", "Pairs", "Path", "Paths", "Scores"]
 
 Path = Union[str, os.PathLike[str]]
 Paths = Union[Path, Sequence[Path]]
+
+DepthKind = Literal["plain", "radial", "rotated"]
+"""What the numbers of depth say, as --depth-kind."""
+
+LabelScheme = Literal["osd", "objects", "colours"]
+"""What ground truth counts, as --labels."""
 
 Scores = dict[str, dict[str, float]]
 """By category, then by measure."""

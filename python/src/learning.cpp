@@ -3,6 +3,7 @@
 
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
+#include <cstdint>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -14,8 +15,10 @@
 #include "gestalt/evaluation/score/cross_validation.h"
 #include "gestalt/evaluation/score/evaluation.h"
 #include "gestalt/evaluation/score/scene_sets.h"
+#include "gestalt/io/scene/depth_only.h"
 #include "gestalt/io/scene/input.h"
 #include "segmenter.h"
+#include "wording.h"
 
 namespace gestalt::python {
 
@@ -28,23 +31,64 @@ using Labels = cv::Mat_<std::uint16_t>;
 struct PerceivedScenes {
   std::vector<LearningScene> scenes;
   std::vector<Labels> ground_truth;
+  std::vector<std::vector<std::string>> warnings;
 
   std::vector<const LearningScene*> pointers() const {
     std::vector<const LearningScene*> all;
     for (const LearningScene& scene : scenes) all.push_back(&scene);
     return all;
   }
+
+  std::int64_t objects() const {
+    std::int64_t sum = 0;
+    for (const Labels& labels : ground_truth) sum += count_objects(labels);
+    return sum;
+  }
 };
 
-PerceivedScenes perceive(const Pipeline& pipeline, const std::vector<fs::path>& scenes, const ReadOptions& options) {
-  PerceivedScenes perceived{std::vector<LearningScene>(scenes.size()), std::vector<Labels>(scenes.size())};
-  for_all(scenes.size(), [&](std::size_t i) {
-    const Input input = read_scene(scenes[i], options);
-    perceived.ground_truth[i] = scored_ground_truth(input);
-    perceived.scenes[i] = make_learning_scene(pipeline, input.frame, input.ground_truth);
-  });
-  return perceived;
-}
+/// A pipeline for scenes that are learnt from together.
+class Learner {
+ public:
+  Learner(const py::object& config, const std::vector<std::string>& overrides, const py::object& components,
+          const std::vector<fs::path>& scenes, const ReadOptions& options, const Arena& arena)
+      : options_(options),
+        arena_(arena),
+        loaded_(load(config, overrides, components, scenes)),
+        pipeline_(arena.run([&] { return Pipeline(loaded_.config, loaded_.registry); })) {}
+
+  const Pipeline& pipeline() const { return pipeline_; }
+
+  /// Warns of what the scenes are probably not.
+  PerceivedScenes perceive(const std::vector<fs::path>& scenes) const {
+    PerceivedScenes perceived{std::vector<LearningScene>(scenes.size()), std::vector<Labels>(scenes.size()),
+                              std::vector<std::vector<std::string>>(scenes.size())};
+    arena_.run([&] {
+      for_all(scenes.size(), [&](std::size_t i) {
+        const Input input = read_scene(scenes[i], options_);
+        if (needs_colour_) require_colour_as_of_others(input);
+        perceived.warnings[i] = input.warnings;
+        perceived.ground_truth[i] = scored_ground_truth(input);
+        perceived.scenes[i] = make_learning_scene(pipeline_, input.frame, input.ground_truth);
+      });
+    });
+    for (const std::vector<std::string>& of_scene : perceived.warnings) warn(of_scene);
+    return perceived;
+  }
+
+ private:
+  LoadedConfig load(const py::object& config, const std::vector<std::string>& overrides, const py::object& components,
+                    const std::vector<fs::path>& scenes) {
+    const py::object chosen = config_for_all(config, overrides, scenes, options_, arena_);
+    needs_colour_ = chosen.is_none() && depth_only_may_replace({}, overrides);
+    return load_config(chosen, overrides, registered(components));
+  }
+
+  const ReadOptions& options_;
+  const Arena& arena_;
+  bool needs_colour_ = false;  ///< the config is the default, by which all scenes are learnt or none
+  LoadedConfig loaded_;
+  Pipeline pipeline_;
+};
 
 nlohmann::json training_of(const Model& model) {
   return {{"classifier", model.classifier},
@@ -56,13 +100,17 @@ nlohmann::json training_of(const Model& model) {
 
 py::object train(const py::object& scenes, const fs::path& output, const py::object& config,
                  const std::vector<std::string>& overrides, const py::object& components, int threads,
-                 std::optional<double> depth_scale) {
+                 std::optional<double> depth_scale, const std::optional<std::string>& depth_kind,
+                 const std::optional<std::string>& labels) {
   const std::vector<fs::path> given = some_paths(scenes);
-  const ReadOptions options = read_options(std::nullopt, depth_scale);
-  const LoadedConfig loaded = load_config(config, overrides, registered(components));
-  return object_of(Arena(threads).run([&] {
-    const Pipeline pipeline(loaded.config, loaded.registry);
-    const Models models = learn(pipeline, perceive(pipeline, find_scenes(given), options).pointers());
+  const ReadOptions options = read_options({{}, depth_scale, depth_kind, labels});
+  const Arena arena(threads);
+  const std::vector<fs::path> all = arena.run([&] { return find_scenes(given); });
+  const Learner learner(config, overrides, components, all, options, arena);
+  const PerceivedScenes perceived = learner.perceive(all);
+  require_objects(perceived.objects());
+  return object_of(arena.run([&] {
+    const Models models = learn(learner.pipeline(), perceived.pointers());
     write_models(output, models);
     nlohmann::json trained{{name_of(Level::structural), training_of(models.structural)}};
     if (models.assembly) trained[name_of(Level::assembly)] = training_of(*models.assembly);
@@ -73,24 +121,27 @@ py::object train(const py::object& scenes, const fs::path& output, const py::obj
 py::object cross_validate(const py::object& scenes, int folds, std::uint64_t seed, const py::object& config,
                           const std::vector<std::string>& overrides, const std::optional<std::string>& left_out,
                           const py::object& also_train, const py::object& components, int threads,
-                          std::optional<double> depth_scale) {
-  const ReadOptions options = read_options(std::nullopt, depth_scale);
+                          std::optional<double> depth_scale, const std::optional<std::string>& depth_kind,
+                          const std::optional<std::string>& labels) {
+  const ReadOptions options = read_options({{}, depth_scale, depth_kind, labels});
   const std::vector<fs::path> given = some_paths(scenes), others = paths(also_train);
-  const LoadedConfig loaded = load_config(config, overrides, registered(components));
-  return object_of(Arena(threads).run([&] {
-    const Pipeline pipeline(loaded.config, loaded.registry);
-    const std::vector<fs::path> all = find_scenes(given);
-    std::vector<int> fold;
-    int count = folds;
-    if (left_out) {
-      const LeaveOneOut dealt = leave_one_out(all, left_out_named(*left_out));
-      fold = dealt.fold;
-      count = dealt.folds();
-    } else {
-      fold = deal_folds(scene_categories(all), folds, seed);
-    }
-    const PerceivedScenes perceived = perceive(pipeline, all, options);
-    const PerceivedScenes additional = perceive(pipeline, find_additional_scenes(others, all), options);
+  const Arena arena(threads);
+  const std::vector<fs::path> all = arena.run([&] { return find_scenes(given); });
+  std::vector<int> fold;
+  int count = folds;
+  if (left_out) {
+    const LeaveOneOut dealt = leave_one_out(all, left_out_named(*left_out));
+    fold = dealt.fold;
+    count = dealt.folds();
+  } else {
+    fold = deal_folds(scene_categories(all), folds, seed);
+  }
+  const std::vector<fs::path> more = find_additional_scenes(others, all);
+  const Learner learner(config, overrides, components, all, options, arena);
+  const PerceivedScenes perceived = learner.perceive(all), additional = learner.perceive(more);
+  require_objects(perceived.objects());
+  return object_of(arena.run([&] {
+    const Pipeline& pipeline = learner.pipeline();
     const std::vector<Models> models = learn_folds(pipeline, perceived.pointers(), fold, count, additional.pointers());
     std::vector<ImageScore> scores(all.size());
     for_all(all.size(), [&](std::size_t i) {
@@ -128,15 +179,19 @@ py::object score(const py::array& ground_truth, const py::array& labels) {
 void bind_learning(py::module_& module) {
   module.def("train", &train, py::arg("scenes"), py::arg("output"), py::arg("config") = py::none(),
              py::arg("overrides") = std::vector<std::string>{}, py::kw_only(), py::arg("components") = py::none(),
-             py::arg("threads") = 0, py::arg("depth_scale") = py::none(),
+             py::arg("threads") = 0, py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(),
+             py::arg("labels") = py::none(),
              R"(Learns from scenes with ground truth and writes the model file output.
 
-scenes: folders of scenes, one or many. Returns of each level the classifier, the values, and how many pairs it saw.
-Use the model with overrides=["model=..."].)");
+scenes: folders of scenes, one or many. labels: what their ground truth counts, "osd", "objects" or "colours"; None:
+guessed where that is certain. Without colour in any scene, and without config, depth_only.yaml is taken and warned of.
+Returns of each level the classifier, the values, and how many pairs it saw. Use the model with the same config and
+overrides=["model=..."]. Raises InputError where no scene has an object, too.)");
   module.def("cross_validate", &cross_validate, py::arg("scenes"), py::arg("folds") = 5, py::arg("seed") = 0,
              py::arg("config") = py::none(), py::arg("overrides") = std::vector<std::string>{}, py::kw_only(),
              py::arg("leave_one_out") = py::none(), py::arg("also_train") = py::tuple(),
              py::arg("components") = py::none(), py::arg("threads") = 0, py::arg("depth_scale") = py::none(),
+             py::arg("depth_kind") = py::none(), py::arg("labels") = py::none(),
              R"(Trains on all folds of the scenes but one and scores that one, for each.
 
 leave_one_out: "category" or "set", each of which is then a fold; folds and seed do not count. also_train: scenes that

@@ -14,6 +14,7 @@
 #include "gestalt/core/plugin/running_component.h"
 #include "gestalt/core/scene/frame.h"
 #include "segmenter.h"
+#include "wording.h"
 
 namespace gestalt::python {
 
@@ -28,7 +29,7 @@ py::handle bind_error(py::module_& module, const char* name, py::handle base, co
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const E& error) {
-      const std::string_view text = error.what();
+      const std::string text = in_python(error.what());
       const auto message = py::reinterpret_steal<py::object>(
           PyUnicode_DecodeUTF8(text.data(), py::ssize_t(text.size()), "surrogateescape"));
       PyErr_SetObject(type.ptr(), message.ptr());

@@ -6,8 +6,12 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <array>
+#include <atomic>
+#include <cstdint>
 #include <limits>
 #include <memory>
+#include <mutex>
 #include <nlohmann/json.hpp>
 #include <optional>
 
@@ -15,13 +19,17 @@
 #include "components.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/for_all.h"
+#include "gestalt/core/pipeline/learning_set.h"
 #include "gestalt/core/pipeline/run_identity.h"
 #include "gestalt/evaluation/score/evaluation.h"
 #include "gestalt/evaluation/score/scene_sets.h"
 #include "gestalt/io/result/result.h"
+#include "gestalt/io/scene/depth_only.h"
 #include "gestalt/io/scene/depth_reading.h"
 #include "gestalt/io/scene/input.h"
+#include "gestalt/io/scene/reading_names.h"
 #include "gestalt/io/scene/scene_names.h"
+#include "wording.h"
 
 namespace gestalt::python {
 
@@ -29,23 +37,26 @@ namespace {
 
 namespace fs = std::filesystem;
 
-/// A message that names an option of the command, with what it is here.
-std::string in_python(const std::string& message) {
-  return message.find("--unit") == message.npos ? message
-                                                : message + " (in Python: depth_scale=, the metres of a unit)";
-}
-
-/// Each warning of the input as one of Python. Throws where Python makes it an exception.
-void warn(const Input& input) {
-  for (const std::string& warning : input.warnings)
-    if (PyErr_WarnEx(PyExc_UserWarning, in_python(warning).c_str(), 1)) throw py::error_already_set();
-}
+constexpr const char* config_of_depth = "; config=\"depth_only.yaml\" asks for it and is not warned of";
 
 /// What results need of the segmenter that made them.
 struct Source {
-  Arena arena;
+  std::shared_ptr<const Arena> arena;
   nlohmann::json config;  ///< Segmenter::config_json()
 };
+
+/// A segmenter, ready to run.
+struct Loaded {
+  std::shared_ptr<const Source> source;
+  Segmenter segmenter;
+};
+
+Loaded load(const std::shared_ptr<const Arena>& arena, LoadedConfig config) {
+  Segmenter segmenter = arena->run([&] { return Segmenter(std::move(config)); });
+  if (const std::string warning = segmenter.warning(); !warning.empty()) warn(warning);
+  auto source = std::make_shared<Source>(Source{arena, segmenter.config_json()});
+  return {std::move(source), std::move(segmenter)};
+}
 
 /// What was found in a frame. Images share their memory with numpy; the rest is made when it is asked for.
 class Result {
@@ -105,7 +116,7 @@ class Result {
 
   void save(const fs::path& folder, const std::optional<std::string>& name) const {
     const OutputPath place = name ? OutputPath(folder) / *name : OutputPath(folder);
-    source_->arena.run([&] { write_result(place, input_, found_, source_->config); });
+    source_->arena->run([&] { write_result(place, input_, found_, source_->config); });
   }
 
   std::string text() const {
@@ -131,79 +142,117 @@ class Result {
 /// gestalt.Segmenter.
 class PySegmenter {
  public:
-  PySegmenter(LoadedConfig loaded, int threads)
-      : source_{std::make_shared<Source>(Source{Arena(threads), {}})},
-        segmenter_(source_->arena.run([&] { return Segmenter(std::move(loaded)); })) {
-    source_->config = segmenter_.config_json();
-    if (const std::string warning = segmenter_.warning();
-        !warning.empty() && PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1))
-      throw py::error_already_set();
-  }
+  PySegmenter(const py::object& config, std::vector<std::string> overrides, const py::dict& components, int threads)
+      : overrides_(std::move(overrides)),
+        components_(components),
+        may_be_replaced_(config.is_none() && depth_only_may_replace({}, overrides_)),
+        arena_(std::make_shared<Arena>(threads)),
+        loaded_(load(arena_, load_config(config, overrides_, components_))) {}
 
   std::unique_ptr<Result> call(const py::object& colour, const py::array& depth, const Camera& camera,
-                               const std::string& name, std::optional<double> depth_scale) const {
+                               const std::string& name, std::optional<double> depth_scale,
+                               const std::optional<std::string>& depth_kind) const {
     cv::Mat colours = colour_image(colour);
-    DepthReading depths = depth_image(depth, read_options(std::nullopt, depth_scale));
-    return warned(source_->arena.run([&] {
-      Input input;
-      input.path = name;
-      try {
-        set_frame(input, name, colours, std::move(depths), camera);
-      } catch (const InputError& error) {
-        throw InputError(in_python(error.what()));
-      }
-      return segment(std::move(input));
-    }));
+    DepthReading depths = depth_image(depth, read_options({{}, depth_scale, depth_kind, {}}));
+    Input input;
+    input.path = name;
+    arena_->run([&] { set_frame(input, name, colours, std::move(depths), camera); });
+    return segment(std::move(input));
   }
 
   std::unique_ptr<Result> read(const fs::path& scene, const std::optional<Camera>& camera,
-                               std::optional<double> depth_scale) const {
-    const ReadOptions options = read_options(camera, depth_scale);
-    return warned(source_->arena.run([&] { return segment(read_scene(scene, options)); }));
+                               std::optional<double> depth_scale, const std::optional<std::string>& depth_kind,
+                               const std::optional<std::string>& labels) const {
+    const ReadOptions options = read_options({camera, depth_scale, depth_kind, labels});
+    return segment(arena_->run([&] { return read_scene(scene, options); }));
   }
 
-  py::object evaluate(const py::object& scenes, std::optional<double> depth_scale) const {
+  py::object evaluate(const py::object& scenes, std::optional<double> depth_scale,
+                      const std::optional<std::string>& depth_kind, const std::optional<std::string>& labels) const {
     const std::vector<fs::path> given = some_paths(scenes);
-    const ReadOptions options = read_options(std::nullopt, depth_scale);
-    return object_of(source_->arena.run([&] {
-      const std::vector<fs::path> all = find_scenes(given);
-      std::vector<ImageScore> scores(all.size());
+    const ReadOptions options = read_options({{}, depth_scale, depth_kind, labels});
+    const std::vector<fs::path> all = arena_->run([&] { return find_scenes(given); });
+    const bool by_depth = may_be_replaced_ && arena_->run([&] { return none_has_colour(all, options); });
+    if (by_depth)
+      warn(std::string("no scene has a colour image; scored by depth alone, with depth_only.yaml and its model") +
+           config_of_depth);
+    const Segmenter& segmenter = (by_depth ? depth_only() : loaded_).segmenter;
+    std::vector<ImageScore> scores(all.size());
+    std::vector<std::vector<std::string>> warnings(all.size());
+    std::atomic<std::int64_t> objects = 0;
+    arena_->run([&] {
       for_all(all.size(), [&](std::size_t i) {
         const Input input = read_scene(all[i], options);
+        warnings[i] = input.warnings;
+        if (may_be_replaced_ && !by_depth) require_colour_as_of_others(input);
         const auto ground_truth = scored_ground_truth(input);
-        scores[i] = score_image(ground_truth, segmenter_.segment(input.frame).segmentation.labels);
+        objects += count_objects(ground_truth);
+        scores[i] = score_image(ground_truth, segmenter.segment(input.frame).segmentation.labels);
       });
-      return to_json(with_mean(summarise(scores, scene_rows(all))));
-    }));
+    });
+    for (const std::vector<std::string>& of_scene : warnings) warn(of_scene);
+    require_objects(objects);
+    return object_of(arena_->run([&] { return to_json(with_mean(summarise(scores, scene_rows(all)))); }));
   }
 
-  py::object config() const { return object_of(source_->config.at("values")); }
+  py::object config() const { return object_of(loaded_.source->config.at("values")); }
 
  private:
-  static std::unique_ptr<Result> warned(std::unique_ptr<Result> result) {
-    warn(result->input());
-    return result;
-  }
-
   std::unique_ptr<Result> segment(Input input) const {
-    SegmentedFrame found = segmenter_.segment(input.frame);
-    return std::make_unique<Result>(source_, std::move(input), std::move(found));
+    const bool by_depth = may_be_replaced_ && !input.frame.has_colour();
+    if (by_depth) {
+      input.notes.emplace_back("has no colour image; segmented by depth alone, with depth_only.yaml and its model");
+      warn(input.frame.name + ": " + input.notes.back() + config_of_depth);
+    }
+    const Loaded& loaded = by_depth ? depth_only() : loaded_;
+    SegmentedFrame found = arena_->run([&] { return loaded.segmenter.segment(input.frame); });
+    warn(input.warnings);
+    return std::make_unique<Result>(loaded.source, std::move(input), std::move(found));
   }
 
-  std::shared_ptr<Source> source_;
-  Segmenter segmenter_;
+  /// What takes the place of the default where there is no colour; loaded when it is asked for first.
+  const Loaded& depth_only() const {
+    const py::gil_scoped_release released;  // or who holds the lock would wait for the interpreter, and we for the lock
+    const std::lock_guard lock(in_use_);
+    if (!depth_only_) {
+      const py::gil_scoped_acquire acquired;
+      depth_only_.emplace(load(arena_, load_config(py::cast(depth_only_config()), overrides_, components_)));
+    }
+    return *depth_only_;
+  }
+
+  std::vector<std::string> overrides_;
+  py::dict components_;
+  bool may_be_replaced_;  ///< by the config for depth alone
+  std::shared_ptr<const Arena> arena_;
+  Loaded loaded_;
+  mutable std::mutex in_use_;
+  mutable std::optional<Loaded> depth_only_;
 };
 
-py::tuple read(const fs::path& scene, const std::optional<Camera>& camera, std::optional<double> depth_scale) {
-  const ReadOptions options = read_options(camera, depth_scale);
+py::tuple read(const fs::path& scene, const std::optional<Camera>& camera, std::optional<double> depth_scale,
+               const std::optional<std::string>& depth_kind, const std::optional<std::string>& labels) {
+  const ReadOptions options = read_options({camera, depth_scale, depth_kind, labels});
   const Input input = [&] {
     const py::gil_scoped_release released;
     return read_scene(scene, options);
   }();
-  warn(input);
+  warn(input.warnings);
   const Frame& frame = input.frame;
-  const py::object labels = input.ground_truth.empty() ? py::object(py::none()) : array_of(input.ground_truth);
-  return py::make_tuple(frame.name, colour_array(frame.colour), array_of(frame.depth), frame.camera, labels);
+  const py::object truth = input.ground_truth.empty() ? py::object(py::none()) : array_of(input.ground_truth);
+  return py::make_tuple(frame.name, colour_array(frame.colour), array_of(frame.depth), frame.camera, truth);
+}
+
+/// The value of a name. Throws InputError that lists the names.
+template <class Value, std::size_t count>
+Value named(const std::array<std::pair<std::string_view, Value>, count>& values, const std::string& name,
+            const std::string& argument) {
+  std::string names;
+  for (const auto& [known, value] : values) {
+    if (known == name) return value;
+    names.append(names.empty() ? "" : ", ").append(known);
+  }
+  throw InputError(argument + ": '" + name + "' is none of " + names);
 }
 
 void check_names(const std::vector<fs::path>& scenes) {
@@ -219,13 +268,23 @@ std::string identity(const py::object& config, const std::vector<std::string>& o
 
 }  // namespace
 
-ReadOptions read_options(const std::optional<Camera>& camera, std::optional<double> depth_scale) {
+ReadOptions read_options(const Reading& reading) {
   ReadOptions options;
-  if (camera) options.camera = CameraFile(*camera);
-  if (depth_scale && !(*depth_scale >= 1e-9 && *depth_scale <= 1e4))
+  if (reading.camera) options.camera = CameraFile(*reading.camera);
+  if (reading.depth_scale && !(*reading.depth_scale >= 1e-9 && *reading.depth_scale <= 1e4))
     throw InputError("depth_scale: must be from 1e-9 to 1e4 metres per unit");
-  options.depth_scale = depth_scale;
+  options.depth_scale = reading.depth_scale;
+  if (reading.depth_kind) options.depth_kind = named(depth_kinds, *reading.depth_kind, "depth_kind");
+  if (reading.labels) options.labels = named(label_schemes, *reading.labels, "labels");
   return options;
+}
+
+py::object config_for_all(const py::object& config, const std::vector<std::string>& overrides,
+                          const std::vector<fs::path>& scenes, const ReadOptions& options, const Arena& arena) {
+  if (!config.is_none() || !depth_only_may_replace({}, overrides)) return config;
+  if (!arena.run([&] { return none_has_colour(scenes, options); })) return config;
+  warn(std::string("no scene has a colour image; depth alone is used, with depth_only.yaml") + config_of_depth);
+  return py::cast(depth_only_config());
 }
 
 LoadedConfig load_config(const py::object& config, const std::vector<std::string>& overrides,
@@ -284,7 +343,8 @@ values: (n, k); probabilities: (n,) that the two are of one object, NaN where th
 
   py::class_<PySegmenter>(module, "Segmenter", R"(The segmenter, ready to run; may be used from many threads.
 
-config: a YAML file or the name of an installed config; None: default.yaml.
+config: a YAML file or the name of an installed config; None: default.yaml, and depth_only.yaml with its model for what
+has no colour, which is warned of, unless overrides are of a model, relation or classifier.
 overrides: texts as "structural.minimum_size=50", as --set of the command.
 components: classes of Python by name; None: those that were registered.
 threads: of TBB, 0 for all. Results are the same for any number.
@@ -292,32 +352,40 @@ threads: of TBB, 0 for all. Results are the same for any number.
 Raises ConfigError, PluginError, ModelError. Warns when the model was trained with other parameters.)")
       .def(py::init([](const py::object& config, const std::vector<std::string>& overrides,
                        const py::object& components, int threads) {
-             return std::make_unique<PySegmenter>(load_config(config, overrides, registered(components)), threads);
+             return std::make_unique<PySegmenter>(config, overrides, registered(components), threads);
            }),
            py::arg("config") = py::none(), py::arg("overrides") = std::vector<std::string>{}, py::kw_only(),
            py::arg("components") = py::none(), py::arg("threads") = 0)
       .def("__call__", &PySegmenter::call, py::arg("colour"), py::arg("depth"), py::arg("camera"),
-           py::arg("name") = "frame", py::kw_only(), py::arg("depth_scale") = py::none(), R"(Segments a frame.
+           py::arg("name") = "frame", py::kw_only(), py::arg("depth_scale") = py::none(),
+           py::arg("depth_kind") = py::none(), R"(Segments a frame.
 
-colour: (height, width, 3) uint8, red green blue; or None, when no relation of the config needs it.
+colour: (height, width, 3) uint8, red green blue; or None.
 depth: (height, width) uint16 in millimetres or float in metres; 0 or not finite where there is none.
 depth_scale: metres per unit of depth, where it is in another unit.
+depth_kind: "plain", along the optical axis, which is the default; "radial", the distance from the camera; "rotated", 16
+bits rotated by three as in SUN RGB-D.
 
 The interpreter is released meanwhile. Raises InputError when the images and the camera do not fit each other,
 PluginError when a component fails.)")
+      .def("segment", &PySegmenter::read, py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
+           py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(), py::arg("labels") = py::none(),
+           "Segments a scene folder or a cloud, as `gestalt segment` does; camera replaces the scene's, depth_scale "
+           "(metres per unit) its unit; depth_kind and labels are as --depth-kind and --labels.")
       .def(
-          "segment", &PySegmenter::read, py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
-          py::arg("depth_scale") = py::none(),
-          "Segments a scene folder or a cloud, as `gestalt segment` does; camera replaces the scene's, and depth_scale "
-          "(metres per unit) its unit.")
-      .def("evaluate", &PySegmenter::evaluate, py::arg("scenes"), py::kw_only(), py::arg("depth_scale") = py::none(),
-           "Scores of scenes with ground truth by category (of several sets SET/CATEGORY), their \"mean\", and of "
-           "\"all\", "
-           "as `gestalt evaluate --json` prints them.")
+          "evaluate", &PySegmenter::evaluate, py::arg("scenes"), py::kw_only(), py::arg("depth_scale") = py::none(),
+          py::arg("depth_kind") = py::none(), py::arg("labels") = py::none(),
+          R"(Scores of scenes with ground truth by category (of several sets SET/CATEGORY), their "mean", and of "all", as
+`gestalt evaluate --json` prints them.
+
+labels: what ground truth counts, "osd", "objects" or "colours"; None: guessed where that is certain.
+
+Warns of what is probably not as it was read. Raises InputError also where no scene has an object, and for a scene
+without colour among others.)")
       .def_property_readonly("config", &PySegmenter::config, "The resolved config as a dictionary.");
 
   module.def("read_scene", &read, py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
-             py::arg("depth_scale") = py::none());
+             py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(), py::arg("labels") = py::none());
   module.def("check_scene_names", &check_names, py::arg("scenes"),
              "Raises InputError unless each scene has a name of its own, by which results can go.");
   module.def("run_identity", &identity, py::arg("config") = py::none(),

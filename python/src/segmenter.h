@@ -44,8 +44,21 @@ void bind_segmenter(py::module_& module);
 /// The functions train, cross_validate and score.
 void bind_learning(py::module_& module);
 
-/// As gestalt.Segmenter takes them. Throws InputError for a scale that no unit has.
-ReadOptions read_options(const std::optional<Camera>& camera, std::optional<double> depth_scale);
+/// What is told of scenes beside what their files tell, as functions take it.
+struct Reading {
+  std::optional<Camera> camera;
+  std::optional<double> depth_scale;
+  std::optional<std::string> depth_kind, labels;
+};
+
+/// Throws InputError for a scale that no unit has, and for an unknown kind or scheme.
+ReadOptions read_options(const Reading& reading);
+
+/// The config for scenes that are trained on together: the given one; or depth_only.yaml where that may replace the
+/// default (depth_only_may_replace()) and no scene has colour, which is a warning.
+py::object config_for_all(const py::object& config, const std::vector<std::string>& overrides,
+                          const std::vector<std::filesystem::path>& scenes, const ReadOptions& options,
+                          const Arena& arena);
 
 /// Texts of one or many.
 std::vector<std::filesystem::path> paths(const py::object& paths);

@@ -60,6 +60,18 @@ TEST_F(Ablation, ScoresOfVariantsAreThoseOfTheirOwnRuns) {
   expect_like("structural.minimum_size=90", {"structural.minimum_size=90"});
 }
 
+TEST_F(Ablation, GroundTruthWithoutAnObjectIsRefused) {
+  const fs::path scenes = folder.path() / "scenes";
+  fs::copy(synthetic_scenes(), scenes, fs::copy_options::recursive);
+  for (int i = 0; i < 4; ++i)
+    write_image(scenes / synthetic_scene(i).filename() / "label.png",
+                cv::Mat_<std::uint8_t>(240, 320, std::uint8_t{1}));
+  const Outcome outcome = run_gestalt({"ablate", scenes, "--cross-validate", "2", "--grid",
+                                       "structural.minimum_size=20,40", "--output", folder.path() / "out"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(occurrences("no scene has an object", outcome.err), 1) << outcome.err;
+}
+
 TEST_F(Ablation, WritesTablesAndPlots) {
   folder.write("variants.yaml",
                "forest: structural.classifier=random_forest\nno texture: [structural.relations.gabor=off,"
