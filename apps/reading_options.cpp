@@ -104,15 +104,20 @@ std::string text_of(const ReadingOptions& options) {
          std::to_string(int(options.depth_kind)) + ' ' + options.colour.string();
 }
 
-Input read_and_warn(const std::filesystem::path& scene, const ReadOptions& options) {
-  Input input = read_scene(scene, options);
-  for (const std::string& warning : input.warnings) std::cerr << "gestalt: warning: " + warning + "\n";
+void tell(const std::filesystem::path& scene, const std::vector<std::string>& warnings,
+          const std::vector<std::string>& notes) {
+  for (const std::string& warning : warnings) std::cerr << "gestalt: warning: " + warning + "\n";
   // A set of scenes has the same of each: the first tells it.
   static std::mutex in_use;
   static std::set<std::string> told;
   const std::lock_guard lock(in_use);
-  for (const std::string& note : input.notes)
+  for (const std::string& note : notes)
     if (told.insert(note).second) std::cerr << "gestalt: note: " + scene.string() + ": " + note + "\n";
+}
+
+Input read_and_warn(const std::filesystem::path& scene, const ReadOptions& options) {
+  Input input = read_scene(scene, options);
+  tell(scene, input.warnings, input.notes);
   return input;
 }
 

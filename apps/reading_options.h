@@ -6,6 +6,7 @@
 #include <filesystem>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gestalt/io/scene/input.h"
 
@@ -30,7 +31,11 @@ ReadOptions read_options(const ReadingOptions& options);
 /// All but the camera: equal for equal options.
 std::string text_of(const ReadingOptions& options);
 
-/// read_scene(), its warnings, and those of its notes that no scene had before, printed on stderr.
+/// Prints the warnings of a scene, and those of its notes that no scene had before, on stderr.
+void tell(const std::filesystem::path& scene, const std::vector<std::string>& warnings,
+          const std::vector<std::string>& notes);
+
+/// read_scene(), its warnings and notes told.
 Input read_and_warn(const std::filesystem::path& scene, const ReadOptions& options);
 
 }  // namespace gestalt::app

@@ -53,7 +53,7 @@ std::vector<SourceScene> osd_scenes(const Options& options, const ReadOptions& r
 
 std::vector<SourceScene> tum_scenes(const Options& options, const ReadOptions& read) {
   std::vector<SourceScene> scenes;
-  for (const TumFrame& frame : find_tum_frames(options.input))
+  for (const FrameFiles& frame : find_tum_frames(options.input))
     scenes.push_back({frame.depth, frame.depth.stem().string(), [=] { return read_tum_frame(frame, read); }});
   return scenes;
 }
@@ -83,9 +83,8 @@ std::vector<SourceScene> own_scenes(const Options& options, const ReadOptions& r
       throw InputError(path.string() + ": is " + (kind == "scene" ? "a scene folder already" : "no " + options.from) +
                        "; give only what --from says");
     const bool labelled = options.from == "pcd";
-    scenes.push_back({path, scene_name(path), [=] {
-                        return labelled ? read_labelled_cloud(path, read) : converted(read_and_warn(path, read));
-                      }});
+    scenes.push_back({path, scene_name(path),
+                      [=] { return labelled ? read_labelled_cloud(path, read) : converted(read_scene(path, read)); }});
   }
   return scenes;
 }
@@ -126,11 +125,6 @@ std::string guess(const fs::path& input) {
 std::vector<SourceScene> open(const Options& options) {
   const ReadOptions read = read_options(options.reading);
   const auto layout = std::ranges::find(layouts, options.from, &Layout::name);
-  if (layout != layouts.end() && read.camera && read.camera->lens.distorts())
-    throw InputError(
-        read.camera->file.string() +
-        ": its lens distorts, and images of data sets are not rectified; rectify them (cv2.undistort), and "
-        "give a camera without distortion");
   if (layout != layouts.end() && read.labels != LabelScheme::guess)
     throw ConfigError("--labels: the annotation of --from " + options.from + " has one meaning; leave the option out");
   return (layout == layouts.end() ? own_scenes : layout->scenes)(options, read);
@@ -169,7 +163,7 @@ int convert(Options options) {
   const int code = for_each_scene(paths, [&](const fs::path& path) {
     const SourceScene& source = *by_path.at(path);
     const ConvertedScene scene = source.read();
-    for (const std::string& warning : scene.warnings) std::cerr << "gestalt: warning: " + warning + "\n";
+    tell(path, scene.warnings, scene.notes);
     const auto [set, category] = osd_scene(source.name);
     const fs::path place = write(options, set, source.name, scene);
     if (!category.empty()) {

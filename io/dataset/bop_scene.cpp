@@ -6,10 +6,8 @@
 #include <algorithm>
 
 #include "gestalt/core/base/error.h"
-#include "gestalt/core/pipeline/learning_set.h"
 #include "gestalt/io/scene/bop_cameras.h"
 #include "gestalt/io/scene/natural_order.h"
-#include "gestalt/io/scene/png_file.h"
 #include "image_set.h"
 
 namespace gestalt {
@@ -76,19 +74,12 @@ std::string bop_name(const BopImage& image) { return scene_name(image.scene) + "
 
 ConvertedScene read_bop_image(const BopImage& image, const ReadOptions& options) {
   const std::string name = bop_digits(image.number);
-  const cv::Size size = read_depth_png(image.depth).size();
+  SceneImages images = read_images(image.depth, colour_of(image.scene, name));
+  const cv::Size size = images.depth.size();
   const CameraFile own = read_bop_camera(image.scene, image.number, size);
-  ConvertedScene scene;
-  scene.camera = options.camera ? options.camera->camera : own.camera;
-  scene.depth_scale = scale_of(options, own.depth_scale.value());
-  scene.images = read_images(image.depth, colour_of(image.scene, name), scene.camera);
-  question(scene, image.depth, options);
   const fs::path masks = image.scene / "mask_visib";
-  if (const auto objects = read_masks(masks, name, size)) {
-    scene.images.label = labels_from(masks, *objects, scene.images.depth);
-    scene.objects = count_objects(scene.images.label);
-  }
-  return scene;
+  if (const auto objects = read_masks(masks, name, size)) images.label = labels_from(masks, *objects, images.depth);
+  return scene_of(images, options.camera.value_or(own), own.depth_scale.value(), image.depth, options);
 }
 
 }  // namespace gestalt

@@ -6,8 +6,9 @@
 #include <algorithm>
 
 #include "gestalt/core/base/error.h"
-#include "gestalt/io/scene/depth_plausibility.h"
+#include "gestalt/io/scene/depth_reading.h"
 #include "gestalt/io/scene/image_file.h"
+#include "gestalt/io/scene/image_frame.h"
 #include "gestalt/io/scene/natural_order.h"
 #include "gestalt/io/scene/png_file.h"
 
@@ -27,36 +28,38 @@ void check_size(const fs::path& file, cv::Size size, cv::Size depth) {
 
 }  // namespace
 
-SceneImages read_images(const fs::path& depth, const fs::path& colour, Camera& camera) {
+SceneImages read_images(const fs::path& depth, const fs::path& colour) {
   SceneImages images;
   images.depth = read_depth_png(depth);
-  const cv::Size size = images.depth.size();
-  if (camera.width == 0) camera.width = size.width, camera.height = size.height;
-  if (size != cv::Size(camera.width, camera.height))
-    throw InputError(depth.string() + ": is " + text(size) + ", the camera is for " +
-                     text({camera.width, camera.height}) + "; give --camera with the intrinsics of these images");
+  images.depth.setTo(0, images.depth == 65535);
   if (cv::countNonZero(images.depth) == 0)
     throw InputError(depth.string() + ": no pixel has a measurement (all are 0)");
   if (!colour.empty()) {
     images.colour = read_colour_image(colour);
-    check_size(colour, images.colour.size(), size);
+    check_size(colour, images.colour.size(), images.depth.size());
   }
   return images;
 }
 
-double scale_of(const ReadOptions& options, double of_layout) {
-  if (options.depth_scale) return *options.depth_scale;
-  return options.camera ? options.camera->depth_scale.value_or(of_layout) : of_layout;
+CameraFile camera_of_layout(const Camera& camera, cv::Size size, const fs::path& depth, const ReadOptions& options) {
+  if (options.camera) return *options.camera;
+  if (size != cv::Size(camera.width, camera.height))
+    throw InputError(depth.string() + ": is " + text(size) + ", the camera is for " +
+                     text({camera.width, camera.height}) + "; give --camera with the intrinsics of these images");
+  return camera;
 }
 
-void question(ConvertedScene& scene, const fs::path& depth, const ReadOptions& options) {
-  scene.images.depth.setTo(0, scene.images.depth == 65535);  // "no measurement" with many
-  const bool told = options.depth_scale || (options.camera && options.camera->depth_scale);
-  DepthReading reading{depth_in_metres(scene.images.depth, scene.depth_scale),
-                       {scene.depth_scale, told ? "as told" : "as the layout has it", told},
-                       true,
-                       DepthKind::plain};
-  question_depth(depth.string(), reading, scene.camera, scene.warnings);
+ConvertedScene scene_of(const SceneImages& images, CameraFile camera, double scale_of_layout, const fs::path& depth,
+                        const ReadOptions& options) {
+  camera.depth_scale = camera.depth_scale.value_or(scale_of_layout);
+  DepthReading reading = depth_reading(images.depth, options, camera);
+  const double scale = reading.unit.metres;
+  if (scale == scale_of_layout && !options.depth_scale) reading.unit.from = "as the layout has it";
+  Input input;
+  input.path = depth;
+  input.ground_truth = images.label;
+  set_frame_of_images(input, depth.string(), images.colour, std::move(reading), camera, depth);
+  return converted(input, scale);
 }
 
 cv::Mat_<std::uint16_t> read_labels(const fs::path& file, cv::Size size) {

@@ -13,15 +13,20 @@
 
 namespace gestalt {
 
-/// Depth, and colour where a file is named, of the camera's size; one that tells none gets that of the images.
+/// Depth without what stands for "no measurement" (65535), and colour where a file is named, of one size.
 /// Throws InputError naming the file and the remedy.
-SceneImages read_images(const std::filesystem::path& depth, const std::filesystem::path& colour, Camera& camera);
+SceneImages read_images(const std::filesystem::path& depth, const std::filesystem::path& colour);
 
-/// Metres per unit of depth: what the options tell, by themselves or by their camera, else what the layout has.
-double scale_of(const ReadOptions& options, double of_layout);
+/// The camera that the options give; else that of the layout, for images of its size: of others it is not known whether
+/// they are scaled or cut. Throws InputError naming the file of depth.
+CameraFile camera_of_layout(const Camera& camera, cv::Size size, const std::filesystem::path& depth,
+                            const ReadOptions& options);
 
-/// Asks whether the depth of a scene, whose depth_scale is set, can be what it was read as (question_depth()).
-void question(ConvertedScene& scene, const std::filesystem::path& depth, const ReadOptions& options);
+/// The scene of such images, made as frames of their camera are (set_frame_of_images()): the camera is scaled to them,
+/// they are rectified where its lens distorts, depth is questioned and stays in its unit. That is what the options
+/// tell, else the camera, else the layout.
+ConvertedScene scene_of(const SceneImages& images, CameraFile camera, double scale_of_layout,
+                        const std::filesystem::path& depth, const ReadOptions& options);
 
 /// An image of labels of the same size as depth, as it is.
 cv::Mat_<std::uint16_t> read_labels(const std::filesystem::path& file, cv::Size size);

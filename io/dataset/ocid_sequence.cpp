@@ -6,7 +6,6 @@
 #include <algorithm>
 
 #include "gestalt/core/base/error.h"
-#include "gestalt/core/pipeline/learning_set.h"
 #include "gestalt/io/scene/natural_order.h"
 #include "image_set.h"
 
@@ -66,27 +65,22 @@ std::vector<OcidFrame> find_ocid_frames(const fs::path& release) {
 
 ConvertedScene read_ocid_frame(const OcidFrame& frame, const ReadOptions& options) {
   const fs::path image = frame.depth.filename();
-  ConvertedScene scene;
-  scene.depth_scale = scale_of(options, 0.001);
-  if (options.camera) {
-    scene.camera = options.camera->camera;
-  } else {
+  Camera of_points;
+  if (!options.camera) {
     // The release has no intrinsics, but a cloud of every frame.
     const fs::path cloud = frame.sequence / "pcd" / (image.stem().string() + ".pcd");
     std::error_code error;
     if (!fs::exists(cloud, error))
       throw InputError(cloud.string() + ": does not exist; its points tell the camera, else give --camera");
-    scene.camera = read_scene(cloud).frame.camera;
+    of_points = read_scene(cloud).frame.camera;
   }
-  scene.images = read_images(frame.depth, frame.sequence / "rgb" / image, scene.camera);
-  question(scene, frame.depth, options);
+  SceneImages images = read_images(frame.depth, frame.sequence / "rgb" / image);
+  const cv::Size size = images.depth.size();
   const fs::path label = frame.sequence / "label" / image;
   const std::string place = fs::absolute(frame.sequence).string();
   const bool on_table = place.find("table") != place.npos;
-  scene.images.label = labels_from(label, count_from_objects(read_labels(label, scene.images.depth.size()), on_table),
-                                   scene.images.depth);
-  scene.objects = count_objects(scene.images.label);
-  return scene;
+  images.label = labels_from(label, count_from_objects(read_labels(label, size), on_table), images.depth);
+  return scene_of(images, camera_of_layout(of_points, size, frame.depth, options), 0.001, frame.depth, options);
 }
 
 }  // namespace gestalt

@@ -9,7 +9,6 @@
 #include <set>
 
 #include "gestalt/core/base/error.h"
-#include "gestalt/core/pipeline/learning_set.h"
 #include "gestalt/io/scene/natural_order.h"
 #include "image_set.h"
 
@@ -78,14 +77,10 @@ ConvertedScene read_osd_scene(const fs::path& release, const std::string& name, 
   const std::string image = name + ".png";
   const auto file = [&](const char* folder) { return present(release / folder / image); };
   const fs::path depth = file("disparity"), colour = file("image_color"), annotation = file("annotation");
-  ConvertedScene scene;
-  scene.depth_scale = scale_of(options, 0.001);
-  scene.camera = options.camera ? options.camera->camera : osd_camera;
-  scene.images = read_images(depth, colour, scene.camera);
-  question(scene, depth, options);
-  scene.images.label = labels_from(annotation, read_labels(annotation, scene.images.depth.size()), scene.images.depth);
-  scene.objects = count_objects(scene.images.label);
-  return scene;
+  SceneImages images = read_images(depth, colour);
+  const cv::Size size = images.depth.size();
+  images.label = labels_from(annotation, read_labels(annotation, size), images.depth);
+  return scene_of(images, camera_of_layout(osd_camera, size, depth, options), 0.001, depth, options);
 }
 
 OsdScene osd_scene(std::string_view name) {

@@ -24,20 +24,14 @@ bool nearer_than_a_kinect_sees(const cv::Mat_<std::uint16_t>& depth) {
 
 }  // namespace
 
-std::vector<TumFrame> find_tum_frames(const fs::path& sequence) {
-  std::vector<TumFrame> frames;
-  for (ImagePair& pair : associated_images(sequence)) frames.push_back({std::move(pair.depth), std::move(pair.colour)});
-  return frames;
-}
+std::vector<FrameFiles> find_tum_frames(const fs::path& sequence) { return associated_images(sequence); }
 
-ConvertedScene read_tum_frame(const TumFrame& frame, const ReadOptions& given) {
+ConvertedScene read_tum_frame(const FrameFiles& frame, const ReadOptions& given) {
   ReadOptions options = given;
   if (const auto found = find_camera_file(frame.depth); found && !options.camera) options.camera = read_camera(*found);
-  ConvertedScene scene;
-  scene.camera = options.camera ? options.camera->camera : tum_camera;
-  scene.depth_scale = scale_of(options, tum_depth_scale);
-  scene.images = read_images(frame.depth, frame.colour, scene.camera);
-  question(scene, frame.depth, options);
+  const SceneImages images = read_images(frame.depth, frame.colour);
+  const CameraFile camera = camera_of_layout(tum_camera, images.depth.size(), frame.depth, options);
+  ConvertedScene scene = scene_of(images, camera, tum_depth_scale, frame.depth, options);
   if (scene.depth_scale == tum_depth_scale && !options.depth_scale && nearer_than_a_kinect_sees(scene.images.depth))
     scene.warnings.push_back(frame.depth.string() +
                              ": half of its depth is nearer than 0.35 m when read with the 5000 units a metre of the "

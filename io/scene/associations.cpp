@@ -60,11 +60,11 @@ std::vector<Stamped> read_list(const fs::path& folder, const char* name) {
   return images;
 }
 
-using Timed = std::pair<double, ImagePair>;
+using Timed = std::pair<double, FrameFiles>;
 
-std::vector<ImagePair> in_order_of_time(std::vector<Timed> timed) {
+std::vector<FrameFiles> in_order_of_time(std::vector<Timed> timed) {
   std::stable_sort(timed.begin(), timed.end(), [](const Timed& a, const Timed& b) { return a.first < b.first; });
-  std::vector<ImagePair> pairs;
+  std::vector<FrameFiles> pairs;
   pairs.reserve(timed.size());
   for (Timed& one : timed) pairs.push_back(std::move(one.second));
   return pairs;
@@ -77,7 +77,7 @@ fs::path list_of_pairs(const fs::path& folder) {
   return {};
 }
 
-std::vector<ImagePair> listed_pairs(const fs::path& list, const fs::path& folder) {
+std::vector<FrameFiles> listed_pairs(const fs::path& list, const fs::path& folder) {
   std::vector<Timed> pairs;
   read_lines(list, [&](const auto& words, const std::string& place) {
     const char* const expected = "time rgb/FILE time depth/FILE";
@@ -103,7 +103,7 @@ bool has_associations(const fs::path& folder) {
          (fs::is_regular_file(folder / "rgb.txt", ignored) && fs::is_regular_file(folder / "depth.txt", ignored));
 }
 
-std::vector<ImagePair> associated_images(const fs::path& folder) {
+std::vector<FrameFiles> associated_images(const fs::path& folder) {
   if (const fs::path list = list_of_pairs(folder); !list.empty()) return listed_pairs(list, folder);
   const std::vector<Stamped> colours = read_list(folder, "rgb.txt"), depths = read_list(folder, "depth.txt");
   struct Match {

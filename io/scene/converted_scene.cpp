@@ -7,11 +7,14 @@
 
 namespace gestalt {
 
-ConvertedScene converted(const Input& input) {
+ConvertedScene converted(const Input& input, double depth_scale) {
   ConvertedScene scene;
   scene.camera = input.frame.camera;
   scene.images.colour = input.frame.colour;
-  scene.images.depth = depth_in_millimetres(input.frame);
+  scene.images.depth = depth_in_units(input.frame, depth_scale);
+  scene.depth_scale = depth_scale;
+  scene.warnings = input.warnings;
+  scene.notes = input.notes;
   scene.images.label = input.ground_truth;
   if (!scene.images.label.empty()) scene.objects = count_objects(scene.images.label);
   return scene;

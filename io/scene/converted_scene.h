@@ -17,10 +17,11 @@ struct ConvertedScene {
   int objects = 0;                    ///< with at least one pixel that has depth
   double depth_scale = 0.001;         ///< metres for each unit of images.depth
   std::vector<std::string> warnings;  ///< as Input::warnings
+  std::vector<std::string> notes;     ///< as Input::notes
 };
 
-/// Any scene that read_scene() reads, ready to be written; depth in millimetres. Throws InputError for a depth beyond
-/// 65.535 m.
-GESTALT_EXPORT ConvertedScene converted(const Input& input);
+/// Any scene that read_scene() reads, ready to be written; depth in units of so many metres. Throws InputError for a
+/// depth of more than 65535 of them.
+GESTALT_EXPORT ConvertedScene converted(const Input& input, double depth_scale = 0.001);
 
 }  // namespace gestalt

@@ -115,9 +115,9 @@ fs::path only_of_number(const fs::path& depth, const std::vector<fs::path>& imag
 
 fs::path colour_by_lists(const fs::path& depth, const fs::path& recording) {
   std::error_code ignored;
-  for (const ImagePair& pair : associated_images(recording))
-    if (pair.depth.lexically_normal() == depth.lexically_normal() || fs::equivalent(pair.depth, depth, ignored))
-      return pair.colour;
+  for (const FrameFiles& frame : associated_images(recording))
+    if (frame.depth.lexically_normal() == depth.lexically_normal() || fs::equivalent(frame.depth, depth, ignored))
+      return frame.colour;
   return {};
 }
 
@@ -157,7 +157,7 @@ bool has_scene_images(const fs::path& folder) {
 std::vector<fs::path> depth_images(const fs::path& folder) {
   if (has_associations(folder)) {
     std::vector<fs::path> images;
-    for (const ImagePair& pair : associated_images(folder)) images.push_back(pair.depth);
+    for (const FrameFiles& frame : associated_images(folder)) images.push_back(frame.depth);
     return images;
   }
   if (const fs::path depth = folder_in(folder, is_depth); !depth.empty()) return images_in(depth);

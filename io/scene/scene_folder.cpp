@@ -44,18 +44,21 @@ std::vector<OutputFile> image_files(const OutputPath& folder, const SceneImages&
 
 }  // namespace
 
-cv::Mat_<std::uint16_t> depth_in_millimetres(const Frame& frame) {
-  cv::Mat_<std::uint16_t> millimetres(frame.depth.size());
-  for (int v = 0; v < millimetres.rows; ++v)
-    for (int u = 0; u < millimetres.cols; ++u) {
-      const double depth = std::round(1000.0 * double(frame.depth(v, u)));
+cv::Mat_<std::uint16_t> depth_in_units(const Frame& frame, double metres) {
+  cv::Mat_<std::uint16_t> units(frame.depth.size());
+  for (int v = 0; v < units.rows; ++v)
+    for (int u = 0; u < units.cols; ++u) {
+      const double depth = std::round(double(frame.depth(v, u)) / metres);
       if (depth > std::numeric_limits<std::uint16_t>::max())
         throw InputError(frame.name + ": has a depth of " + std::to_string(frame.depth(v, u)) +
-                         " m; 16-bit millimetres reach 65.5 m, take points beyond out");
-      millimetres(v, u) = std::uint16_t(depth);
+                         " m; 16 bits of this unit reach " + std::to_string(65535 * metres) +
+                         " m, take points beyond out");
+      units(v, u) = std::uint16_t(depth);
     }
-  return millimetres;
+  return units;
 }
+
+cv::Mat_<std::uint16_t> depth_in_millimetres(const Frame& frame) { return depth_in_units(frame, 0.001); }
 
 void write_scene_folder(const OutputPath& folder, const SceneImages& images) {
   write_files(image_files(folder, images));

@@ -21,7 +21,10 @@ struct SceneImages {
   cv::Mat_<std::uint16_t> label;  ///< see object_of_label(); empty: no label.png
 };
 
-/// Depth of a frame in whole millimetres. Throws InputError when a depth is beyond 65.535 m.
+/// Depth of a frame in whole units of so many metres. Throws InputError when a depth is more than 65535 of them.
+GESTALT_EXPORT cv::Mat_<std::uint16_t> depth_in_units(const Frame& frame, double metres);
+
+/// The same in millimetres.
 GESTALT_EXPORT cv::Mat_<std::uint16_t> depth_in_millimetres(const Frame& frame);
 
 /// Writes folder/{rgb,label,depth}.png, all or none. Throws OutputError.

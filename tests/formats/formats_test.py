@@ -343,12 +343,56 @@ class Bop(FormatsTest):
         scene = self.scene()
         words = ("convert", scene, "--output", self.work / "out")
         camera = self.work / "camera.yaml"
-        camera.write_text("width: 320\nheight: 240\nfx: 262\nfy: 262\ncx: 160\ncy: 120\n")
-        self.refused("depth/000007.png: is 640x480, the camera is for 320x240", words=(*words, "--camera", camera))
+        camera.write_text("width: 320\nheight: 200\nfx: 262\nfy: 262\ncx: 160\ncy: 100\n")
+        self.refused("camera.yaml: is made for 320x200 images", "depth/000007.png is 640x480", words=(*words, "--camera", camera))
         cv2.imwrite(str(scene / "depth" / "000007.png"), depth * 0)
         self.refused("depth/000007.png: no pixel has a measurement", words=words)
         (scene / "rgb" / "000007.png").unlink()
         self.refused("rgb/000007.png: does not exist, nor is there one in gray/", words=words)
+
+    def test_a_camera_of_another_resolution_is_scaled(self):
+        camera = self.work / "half.yaml"
+        camera.write_text("width: 320\nheight: 240\nfx: 262.5\nfy: 262.5\ncx: 159.5\ncy: 119.5\ndepth_scale: 0.0001\n")
+        folder = self.convert(self.scene(), "--camera", camera)
+        self.expect_demo(folder, scale=10, labels=expected_label)
+        written = (folder / "camera.yaml").read_text()
+        for line in ("width: 640", "fx: 525\n", "cx: 319.5\n"):
+            self.assertIn(line, written)
+
+    def test_a_lens_is_rectified_as_segment_does(self):
+        camera = self.work / "lens.yaml"
+        camera.write_text(CAMERA + "k1: -0.2\nk2: 0.05\n")
+        same = self.work / "same"
+        same.mkdir()
+        for name, image in (("rgb", rgb), ("depth", depth), ("label", expected_label.astype(numpy.uint8))):
+            cv2.imwrite(str(same / f"{name}.png"), image)
+        self.run_gestalt("convert", same, "--camera", camera, "--to", "npz", "--output", self.work / "arrays")
+        expected = numpy.load(self.work / "arrays" / "scenes" / "same.npz")
+        folder = self.convert(self.scene(), "--camera", camera, "--unit", "0.1mm")
+        numpy.testing.assert_array_equal(read(folder, "depth.png"), expected["depth"] * 10)
+        numpy.testing.assert_array_equal(read(folder, "rgb.png"), expected["rgb"][..., ::-1])
+        numpy.testing.assert_array_equal(read(folder, "label.png"), expected["label"])
+        self.assertGreater(numpy.count_nonzero(expected["depth"] != depth), 10000)
+        self.assertNotIn("k1", (folder / "camera.yaml").read_text())
+        # What was found in the sequence's folder is not passed over, either.
+        sequence = self.work / "tum"
+        for name, image in (("rgb", rgb), ("depth", depth)):
+            (sequence / name).mkdir(parents=True)
+            cv2.imwrite(str(sequence / name / "1.png"), image)
+            (sequence / f"{name}.txt").write_text(f"1.0 {name}/1.png\n")
+        (sequence / "camera.yaml").write_text(camera.read_text() + "depth_scale: 0.001\n")
+        numpy.testing.assert_array_equal(read(self.convert(sequence), "depth.png"), expected["depth"])
+
+    def test_what_depth_says_counts(self):
+        scene = self.scene()
+        v, u = numpy.mgrid[0:480, 0:640]
+        rays = numpy.sqrt(((u - 319.5) / 525) ** 2 + ((v - 239.5) / 525) ** 2 + 1)
+        cv2.imwrite(str(scene / "depth" / "000007.png"), numpy.rint(depth * 10 * rays).astype(numpy.uint16))
+        folder = self.convert(scene, "--depth-kind", "radial")
+        numpy.testing.assert_allclose(read(folder, "depth.png").astype(int), depth.astype(int) * 10, atol=1)
+        cv2.imwrite(str(scene / "depth" / "000007.png"), depth << 3)
+        folder = self.convert(scene, "--depth-kind", "rotated", "--unit", "mm")
+        numpy.testing.assert_array_equal(read(folder, "depth.png"), depth)
 
     def test_scenes_are_in_the_order_of_their_numbers(self):
         scene = self.scene()
