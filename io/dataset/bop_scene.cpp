@@ -74,7 +74,7 @@ std::string bop_name(const BopImage& image) { return scene_name(image.scene) + "
 
 ConvertedScene read_bop_image(const BopImage& image, const ReadOptions& options) {
   const std::string name = bop_digits(image.number);
-  SceneImages images = read_images(image.depth, colour_of(image.scene, name));
+  LayoutImages images = read_images(image.depth, colour_of(image.scene, name));
   const cv::Size size = images.depth.size();
   const CameraFile own = read_bop_camera(image.scene, image.number, size);
   const fs::path masks = image.scene / "mask_visib";

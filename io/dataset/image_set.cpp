@@ -28,14 +28,14 @@ void check_size(const fs::path& file, cv::Size size, cv::Size depth) {
 
 }  // namespace
 
-SceneImages read_images(const fs::path& depth, const fs::path& colour) {
-  SceneImages images;
+LayoutImages read_images(const fs::path& depth, const fs::path& colour) {
+  LayoutImages images;
   images.depth = read_depth_png(depth);
   images.depth.setTo(0, images.depth == 65535);
   if (cv::countNonZero(images.depth) == 0)
     throw InputError(depth.string() + ": no pixel has a measurement (all are 0)");
   if (!colour.empty()) {
-    images.colour = read_colour_image(colour);
+    images.colour = read_colour_image(colour, images.notes);
     check_size(colour, images.colour.size(), images.depth.size());
   }
   return images;
@@ -49,7 +49,7 @@ CameraFile camera_of_layout(const Camera& camera, cv::Size size, const fs::path&
   return camera;
 }
 
-ConvertedScene scene_of(const SceneImages& images, CameraFile camera, double scale_of_layout, const fs::path& depth,
+ConvertedScene scene_of(const LayoutImages& images, CameraFile camera, double scale_of_layout, const fs::path& depth,
                         const ReadOptions& options) {
   camera.depth_scale = camera.depth_scale.value_or(scale_of_layout);
   DepthReading reading = depth_reading(images.depth, options, camera);
@@ -58,6 +58,7 @@ ConvertedScene scene_of(const SceneImages& images, CameraFile camera, double sca
   Input input;
   input.path = depth;
   input.ground_truth = images.label;
+  input.notes = images.notes;
   set_frame_of_images(input, depth.string(), images.colour, std::move(reading), camera, depth);
   return converted(input, scale);
 }

@@ -13,9 +13,14 @@
 
 namespace gestalt {
 
+/// The images of a scene in a layout, with what is to be noted of their files.
+struct LayoutImages : SceneImages {
+  std::vector<std::string> notes;
+};
+
 /// Depth without what stands for "no measurement" (65535), and colour where a file is named, of one size.
 /// Throws InputError naming the file and the remedy.
-SceneImages read_images(const std::filesystem::path& depth, const std::filesystem::path& colour);
+LayoutImages read_images(const std::filesystem::path& depth, const std::filesystem::path& colour);
 
 /// The camera that the options give; else that of the layout, for images of its size: of others it is not known whether
 /// they are scaled or cut. Throws InputError naming the file of depth.
@@ -25,7 +30,7 @@ CameraFile camera_of_layout(const Camera& camera, cv::Size size, const std::file
 /// The scene of such images, made as frames of their camera are (set_frame_of_images()): the camera is scaled to them,
 /// they are rectified where its lens distorts, depth is questioned and stays in its unit. That is what the options
 /// tell, else the camera, else the layout.
-ConvertedScene scene_of(const SceneImages& images, CameraFile camera, double scale_of_layout,
+ConvertedScene scene_of(const LayoutImages& images, CameraFile camera, double scale_of_layout,
                         const std::filesystem::path& depth, const ReadOptions& options);
 
 /// An image of labels of the same size as depth, as it is.

@@ -74,7 +74,7 @@ ConvertedScene read_ocid_frame(const OcidFrame& frame, const ReadOptions& option
       throw InputError(cloud.string() + ": does not exist; its points tell the camera, else give --camera");
     of_points = read_scene(cloud).frame.camera;
   }
-  SceneImages images = read_images(frame.depth, frame.sequence / "rgb" / image);
+  LayoutImages images = read_images(frame.depth, frame.sequence / "rgb" / image);
   const cv::Size size = images.depth.size();
   const fs::path label = frame.sequence / "label" / image;
   const std::string place = fs::absolute(frame.sequence).string();

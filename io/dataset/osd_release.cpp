@@ -77,7 +77,7 @@ ConvertedScene read_osd_scene(const fs::path& release, const std::string& name, 
   const std::string image = name + ".png";
   const auto file = [&](const char* folder) { return present(release / folder / image); };
   const fs::path depth = file("disparity"), colour = file("image_color"), annotation = file("annotation");
-  SceneImages images = read_images(depth, colour);
+  LayoutImages images = read_images(depth, colour);
   const cv::Size size = images.depth.size();
   images.label = labels_from(annotation, read_labels(annotation, size), images.depth);
   return scene_of(images, camera_of_layout(osd_camera, size, depth, options), 0.001, depth, options);

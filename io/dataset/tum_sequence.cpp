@@ -29,7 +29,7 @@ std::vector<FrameFiles> find_tum_frames(const fs::path& sequence) { return assoc
 ConvertedScene read_tum_frame(const FrameFiles& frame, const ReadOptions& given) {
   ReadOptions options = given;
   if (const auto found = find_camera_file(frame.depth); found && !options.camera) options.camera = read_camera(*found);
-  const SceneImages images = read_images(frame.depth, frame.colour);
+  const LayoutImages images = read_images(frame.depth, frame.colour);
   const CameraFile camera = camera_of_layout(tum_camera, images.depth.size(), frame.depth, options);
   ConvertedScene scene = scene_of(images, camera, tum_depth_scale, frame.depth, options);
   if (scene.depth_scale == tum_depth_scale && !options.depth_scale && nearer_than_a_kinect_sees(scene.images.depth))

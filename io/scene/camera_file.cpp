@@ -7,6 +7,7 @@
 #include <tuple>
 #include <utility>
 
+#include "assignments.h"
 #include "camera_formats.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
@@ -137,6 +138,7 @@ CameraFile read_any(const fs::path& file) {
   const std::string text = plain_text(read_bytes(file, longest));
   for (const CameraTextFormat& format : camera_text_formats())
     if (format.recognises(text)) return format.read(file, text);
+  if (is_assignments(text)) return read_entries(file, parse_yaml(file, yaml_of_assignments(text)), false);
   const std::size_t first = text.find_first_not_of(" \t\r\n");
   const bool xml = first != text.npos && text[first] == '<', json = first != text.npos && text[first] == '{';
   return read_entries(file, xml ? parse_xml(file, text) : parse_yaml(file, text), json);

@@ -263,6 +263,19 @@ CameraFile read_nerf(CameraEntries& entries) {
   return result;
 }
 
+/// Of a scan's text: colour's camera stands beside depth's.
+CameraFile read_scannet(CameraEntries& entries) {
+  return read_named(entries, {"depthWidth", "depthHeight", "fx_depth", "fy_depth", "mx_depth", "my_depth"});
+}
+
+/// The head of a .sens file as text; also of 3RScan.
+CameraFile read_sens(CameraEntries& entries) {
+  CameraFile result = read_matrix(entries, {"m_calibrationDepthIntrinsic"}, 1);
+  take_size(entries, "m_depthWidth", "m_depthHeight", result);
+  take_depth_factor(entries, "m_depthShift", result);
+  return result;
+}
+
 CameraFile read_replica(CameraEntries& entries) {
   Names names{"w", "h", "fx", "fy", "cx", "cy"};
   names.depth_factor = "scale";
@@ -305,6 +318,10 @@ std::vector<CameraFormat> make_camera_formats() {
          return !key.empty() && entries.node(key).IsSequence();
        },
        matrix(arkit, 1)},
+      {"ScanNet's text", "depthWidth, depthHeight, fx_depth, fy_depth, mx_depth, my_depth",
+       has_one_of({"fx_depth", "fy_depth", "mx_depth", "my_depth"}), read_scannet},
+      {"the text of a .sens file", "m_depthWidth, m_depthHeight, m_depthShift, m_calibrationDepthIntrinsic",
+       has_one_of({"m_calibrationDepthIntrinsic", "m_depthWidth"}), read_sens},
       {"NeRF's transforms", "w, h, fl_x, fl_y, cx, cy", has_one_of({"fl_x", "fl_y"}), read_nerf},
       {"Replica's camera", "w, h, fx, fy, cx, cy, scale",
        [](const CameraEntries& entries) { return entries.has("w") && entries.has("h") && entries.has("fx"); },

@@ -108,6 +108,25 @@ TEST_F(CameraFormats, OfNamedNumbers) {
       "{\"fx\": 525, \"fy\": 526.5, \"cx\": 319.5, \"cy\": 239.25, \"width\": 640, \"height\": 480, \"t_00\": 1}");
 }
 
+TEST_F(CameraFormats, OfAssignments) {
+  expect_camera(
+      "appVersionId = 56\naxisAlignment = 0.945519 0.325568 0.000000 -5.384390\ncolorHeight = 968\ncolorWidth = 1296\n"
+      "depthHeight = 480\ndepthWidth = 640\nfx_color = 1170.187988\nfx_depth = 525\nfy_color = 1170.187988\n"
+      "fy_depth = 526.5\nmx_color = 647.75\nmx_depth = 319.5\nmy_color = 483.75\nmy_depth = 239.25\n"
+      "sceneType = Bedroom / Hotel's: 'a'\r\n");
+  const std::string sens =
+      "m_versionNumber = 4\nm_sensorName = StructureSensor\nm_colorWidth = 1296\nm_depthWidth = 640\nm_depthHeight = "
+      "480\nm_depthShift = 1000\nm_calibrationColorIntrinsic = 1170 0 647.75 0 0 1170 483.75 0 0 0 1 0 0 0 0 1 \n"
+      "m_calibrationDepthIntrinsic = 525 0 319.5 0 0 526.5 239.25 0 0 0 1 0 0 0 0 1 \nm_frames.size = 5578\n";
+  expect_camera(sens);
+  EXPECT_DOUBLE_EQ(read(sens).depth_scale.value_or(0), 0.001);
+  expect_camera("# of mine\n[camera]\nfx=525\nfy=526.5\ncx=319.5\n; more\ncy=239.25\nwidth=640\nheight=480\n");
+  EXPECT_NE(refusal("fx = 525\nfy = wide\ncx = 319.5\ncy = 239.25\n").find("camera:2:6: fy is 'wide'"),
+            std::string::npos);
+  EXPECT_NE(refusal("fx_depth = 525\nfy_depth = 526.5\nmx_depth = 319.5\n").find("'my_depth' is missing"),
+            std::string::npos);
+}
+
 TEST_F(CameraFormats, OfPlainText) {
   expect_camera("525 0 319.5\n0 526.5 239.25\n0 0 1\n", false);
   expect_camera("5.25e+02 0 3.195e+02 0\n0 526.5 239.25 0\n0 0 1 0\n0 0 0 1\n", false);

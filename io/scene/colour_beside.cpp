@@ -35,7 +35,7 @@ void add_colour_beside(const fs::path& scene, Input& input) {
   for (const char* extension : {".png", ".jpg", ".jpeg", ".PNG", ".JPG", ".JPEG"}) {
     const fs::path file = fs::path(scene).replace_extension(extension);
     if (!fs::is_regular_file(file, ignored) || is_depth_image(file)) continue;
-    const cv::Mat colour = read_colour_image(file);
+    const cv::Mat colour = read_colour_image(file, input.notes);
     if (take_colour(file, colour, input))
       input.notes.push_back("has no colour; the image of the same name beside it is taken for that of its view");
     else
@@ -46,7 +46,7 @@ void add_colour_beside(const fs::path& scene, Input& input) {
 }
 
 void set_colour(const fs::path& image, const fs::path& scene, Input& input) {
-  const cv::Mat colour = read_colour_image(image);
+  const cv::Mat colour = read_colour_image(image, input.notes);
   if (!take_colour(image, colour, input))
     throw InputError(sizes(image, colour, scene, input) + "; register the two, or leave colour away");
 }

@@ -9,22 +9,13 @@
 #include <utility>
 #include <vector>
 
+#include "tiff_directory.h"
+
 namespace gestalt {
 
 namespace {
 
 using namespace std::string_view_literals;
-
-/// The unsigned number of so many bytes at a place; 0 beyond the end.
-std::uint32_t number_at(std::string_view bytes, std::size_t at, std::size_t size, bool big_endian) {
-  if (at > bytes.size() || bytes.size() - at < size) return 0;
-  std::uint32_t value = 0;
-  for (std::size_t i = 0; i < size; ++i) {
-    const std::size_t byte = at + (big_endian ? i : size - 1 - i);
-    value = value << 8 | static_cast<unsigned char>(bytes[byte]);
-  }
-  return value;
-}
 
 std::optional<cv::Size> size_of(std::int64_t width, std::int64_t height) {
   constexpr std::int64_t most = std::numeric_limits<int>::max();
@@ -34,19 +25,7 @@ std::optional<cv::Size> size_of(std::int64_t width, std::int64_t height) {
 
 /// The first directory of the file, which is what is decoded.
 std::optional<cv::Size> tiff_size(std::string_view bytes) {
-  constexpr std::uint32_t width_tag = 256, height_tag = 257, short_type = 3;
-  const bool big_endian = bytes[0] == 'M';
-  const std::size_t directory = number_at(bytes, 4, 4, big_endian);
-  const std::size_t entries = number_at(bytes, directory, 2, big_endian);
-  std::int64_t width = 0, height = 0;
-  for (std::size_t i = 0; i < entries; ++i) {
-    const std::size_t at = directory + 2 + 12 * i;
-    const std::uint32_t tag = number_at(bytes, at, 2, big_endian);
-    const std::size_t size = number_at(bytes, at + 2, 2, big_endian) == short_type ? 2 : 4;
-    if (tag == width_tag) width = number_at(bytes, at + 8, size, big_endian);
-    if (tag == height_tag) height = number_at(bytes, at + 8, size, big_endian);
-  }
-  return size_of(width, height);
+  return size_of(tiff_value(bytes, 256), tiff_value(bytes, 257));
 }
 
 /// Width and height are the first numbers behind the two letters; # begins a comment.

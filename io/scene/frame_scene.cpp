@@ -31,7 +31,7 @@ DepthReading reading_of(const cv::Mat& image, const fs::path& file, const ReadOp
 /// Colour of depth's size.
 cv::Mat read_colour(const FrameFiles& files, const fs::path& folder, const DepthReading& depth,
                     const CameraFile& camera, Input& input) {
-  const cv::Mat colour = read_colour_image(files.colour);
+  const cv::Mat colour = read_colour_image(files.colour, input.notes);
   const cv::Size size = depth.metres.size();
   if (colour.size() == size) return colour;
   const std::string sizes = files.colour.string() + ": is " + text(colour.size()) + ", " +

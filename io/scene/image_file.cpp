@@ -9,6 +9,7 @@
 
 #include "colour_image.h"
 #include "declared_size.h"
+#include "exif_orientation.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
 #include "gestalt/io/scene/png_file.h"
@@ -50,8 +51,10 @@ cv::Mat depth_of(const fs::path& file, const NpyArray& array) {
   return units;
 }
 
-/// What is neither PNG nor JPEG, as OpenCV decodes it.
-cv::Mat decode_other(const fs::path& file, std::string_view bytes, ImageKind kind) {
+enum class Content { colour, depth };
+
+/// What is neither PNG nor JPEG, as OpenCV decodes it; of an EXR file its channel of depth, where that is asked for.
+cv::Mat decode_other(const fs::path& file, std::string_view bytes, ImageKind kind, Content what) {
   if (kind == ImageKind::unknown)
     fail(file, "is no image that can be read" + seen_as(bytes) +
                    "; save it as PNG (depth: 16-bit grey), JPEG (colour only), TIFF, PGM, PPM or EXR");
@@ -61,8 +64,10 @@ cv::Mat decode_other(const fs::path& file, std::string_view bytes, ImageKind kin
     fail(file, "declares " + std::to_string(size->width) + "x" + std::to_string(size->height) +
                    " pixels; images of 1 to 2^26 pixels can be read");
   cv::Mat image;
-  if (const std::string problem = decode_with_opencv(bytes, image); !problem.empty())
-    fail(file, "cannot be decoded (" + problem + "); write it again, as PNG if this stays");
+  std::string problem;
+  if (kind == ImageKind::exr && what == Content::depth) problem = decode_exr_depth(bytes, image);
+  if (problem.empty() && image.empty()) problem = decode_with_opencv(bytes, image);
+  if (!problem.empty()) fail(file, "cannot be decoded (" + problem + "); write it again, as PNG if this stays");
   return image;
 }
 
@@ -90,9 +95,14 @@ bool is_depth_image(const fs::path& file) {
   }
 }
 
-cv::Mat read_colour_image(const fs::path& file) {
+cv::Mat read_colour_image(const fs::path& file, std::vector<std::string>& notes) {
   const std::string bytes = read_bytes(file, largest_image);
   const ImageKind kind = image_kind(bytes);
+  if (const int orientation = stored_orientation(bytes); orientation != 1)
+    notes.push_back(file.string() + ": says that it is to be shown turned or mirrored (EXIF orientation " +
+                    std::to_string(orientation) +
+                    "); its pixels are taken as they are stored, as those of depth are. If the depth image is stored "
+                    "turned, turn this one, too: mogrify -auto-orient");
   if (kind == ImageKind::png) return read_colour_png(file);
   cv::Mat image;
   if (kind == ImageKind::jpeg) {
@@ -103,7 +113,7 @@ cv::Mat read_colour_image(const fs::path& file) {
   if (kind == ImageKind::npy)
     fail(file, "is an array of numpy; colour comes in an image file, or with depth and K in a .npz file");
   std::string problem;
-  cv::Mat colour = as_colour(decode_other(file, bytes, kind), problem);
+  cv::Mat colour = as_colour(decode_other(file, bytes, kind, Content::colour), problem);
   if (!problem.empty()) fail(file, problem);
   return colour;
 }
@@ -115,8 +125,8 @@ cv::Mat read_depth_image(const fs::path& file) {
   if (kind == ImageKind::npy) return depth_of(file, read_npy(file));
   if (kind == ImageKind::jpeg)
     fail(file, "is a JPEG image, which changes numbers; save the sensor's depth as 16-bit PNG or TIFF");
-  cv::Mat image = decode_other(file, bytes, kind);
-  // Renderers write depth into all channels, or into red.
+  cv::Mat image = decode_other(file, bytes, kind, Content::depth);
+  // Renderers that have no channel of depth write it into all of them, or into red.
   if (kind == ImageKind::exr && image.channels() > 1) cv::extractChannel(image, image, 2);
   if (image.type() == CV_64FC1) image.convertTo(image, CV_32F);
   if (image.type() == CV_16UC1 || image.type() == CV_32FC1) return image;

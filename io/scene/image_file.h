@@ -4,6 +4,8 @@
 
 #include <filesystem>
 #include <opencv2/core.hpp>
+#include <string>
+#include <vector>
 
 #include "gestalt/core/base/export.h"
 
@@ -19,8 +21,9 @@ GESTALT_EXPORT bool has_image_extension(const std::filesystem::path& file);
 /// Whether a file can be a depth image, by its content: whether read_depth_image() reads it.
 GESTALT_EXPORT bool is_depth_image(const std::filesystem::path& file);
 
-/// CV_8UC3, blue green red, from grey, colour, with or without alpha, of 8 or 16 bits or floats (as_colour()).
-cv::Mat read_colour_image(const std::filesystem::path& file);
+/// CV_8UC3, blue green red, from grey, colour, with or without alpha, of 8 or 16 bits or floats (as_colour()). Pixels
+/// are where they are stored: an orientation in the file, by which depth is not turned, is one of the notes.
+cv::Mat read_colour_image(const std::filesystem::path& file, std::vector<std::string>& notes);
 
 /// CV_16UC1: whole numbers in a unit that the file does not tell; or CV_32FC1: floats, metres by convention, where what
 /// is no number is no measurement.

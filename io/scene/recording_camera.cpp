@@ -5,9 +5,11 @@
 
 #include <array>
 
+#include "assignments.h"
 #include "bop_cameras.h"
 #include "frame_files.h"
 #include "gestalt/core/base/error.h"
+#include "gestalt/core/base/file_bytes.h"
 
 namespace gestalt {
 
@@ -16,7 +18,7 @@ namespace fs = std::filesystem;
 namespace {
 
 // Depth's own before those that may be the colour camera's.
-constexpr std::array<const char*, 16> names{"camera.yaml",
+constexpr std::array<const char*, 17> names{"camera.yaml",
                                             "intrinsic/intrinsic_depth.txt",
                                             "intrinsic_depth.txt",
                                             "depth_intrinsics.txt",
@@ -31,12 +33,20 @@ constexpr std::array<const char*, 16> names{"camera.yaml",
                                             "intrinsic.json",
                                             "intrinsics.json",
                                             "camera.json",
-                                            "camera_info.yaml"};
+                                            "camera_info.yaml",
+                                            "_info.txt"};
 
 /// The number of a BOP image by its name; -1: it is none.
 int bop_number(const fs::path& depth) {
   const std::string stem = depth.stem().string();
   return stem.empty() || stem.size() > 6 || stem.find_first_not_of("0123456789") != stem.npos ? -1 : std::stoi(stem);
+}
+
+bool has_assignments(const fs::path& file) {
+  constexpr std::uintmax_t longest = 1 << 16;
+  std::error_code ignored;
+  return fs::is_regular_file(file, ignored) && fs::file_size(file, ignored) <= longest &&
+         is_assignments(read_bytes(file, longest));
 }
 
 }  // namespace
@@ -47,10 +57,12 @@ std::optional<fs::path> camera_file_of_frame(const fs::path& depth, const fs::pa
     return recording / bop_cameras_file;
   // That of 7-Scenes and of BundleFusion lies above all sequences.
   const fs::path place = fs::absolute(recording, ignored).lexically_normal();
-  for (const fs::path& folder :
-       {recording, place.has_filename() ? place.parent_path() : place.parent_path().parent_path()})
+  const fs::path own = place.has_filename() ? place : place.parent_path();
+  for (const fs::path& folder : {recording, own.parent_path()})
     for (const char* name : names)
       if (fs::is_regular_file(folder / name, ignored)) return folder / name;
+  // ScanNet's scan scene0000_00 has its text in scene0000_00.txt.
+  if (const fs::path text = recording / (own.filename().string() + ".txt"); has_assignments(text)) return text;
   return find_camera_file(depth);
 }
 

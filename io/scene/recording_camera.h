@@ -7,8 +7,8 @@
 namespace gestalt {
 
 /// The file that camera_of_frame() takes without options: scene_camera.json of BOP; else a file of the folder, or of
-/// its parent, by one of the names that data sets give it (camera.yaml, cam_K.txt, intrinsic/intrinsic_depth.txt, ...);
-/// else that of find_camera_file(); else nothing.
+/// its parent, by one of the names that data sets give it (camera.yaml, cam_K.txt, intrinsic/intrinsic_depth.txt, ...),
+/// or the text of the folder's name that ScanNet has; else that of find_camera_file(); else nothing.
 std::optional<std::filesystem::path> camera_file_of_frame(const std::filesystem::path& depth,
                                                           const std::filesystem::path& recording);
 

@@ -17,6 +17,12 @@ import numpy
 import formats_test
 from formats_test import CAMERA, DEMO, K, depth, read, rgb
 
+SCANNET = "depthWidth = 640\ndepthHeight = 480\nfx_depth = 525\nfy_depth = 525\nmx_depth = 319.5\nmy_depth = 239.5\n"
+SENS = """m_depthWidth = 640
+m_depthHeight = 480
+m_depthShift = 1000
+m_calibrationDepthIntrinsic = 525 0 319.5 0 0 525 239.5 0 0 0 1 0 0 0 0 1
+"""
 HALF_CAMERA = "width: 320\nheight: 240\nfx: 262.5\nfy: 262.5\ncx: 159.5\ncy: 119.5\n"
 metres = (depth / 1000).astype(numpy.float32)
 
@@ -100,6 +106,25 @@ class Colour(FramesTest):
         scene = self.scene(colour_name="rgb.jpg")
         self.expect_read(scene, "--from", "scene", colour=cv2.imread(str(scene / "rgb.jpg")), atol=2)
 
+    def test_pixels_are_where_they_are_stored(self):
+        plain = self.scene(colour_name="rgb.jpg")
+        stored = cv2.imread(str(plain / "rgb.jpg"))
+        for order, mark in (("little", b"II*\0"), ("big", b"MM\0*")):
+            numbers = [(8, 4), (1, 2), (0x112, 2), (3, 2), (1, 4), (6, 2), (0, 2), (0, 4)]  # one entry: orientation 6
+            exif = b"Exif\0\0" + mark + b"".join(number.to_bytes(size, order) for number, size in numbers)
+            scene = self.scene(colour_name="rgb.jpg")
+            bytes_ = (scene / "rgb.jpg").read_bytes()
+            (scene / "rgb.jpg").write_bytes(
+                bytes_[:2] + b"\xff\xe1" + (len(exif) + 2).to_bytes(2, "big") + exif + bytes_[2:])
+            self.assertEqual(cv2.imread(str(scene / "rgb.jpg")).shape, (640, 480, 3))  # as others turn it
+            self.expect_read(scene, "--from", "scene", colour=stored, atol=2)
+            self.assertIn("EXIF orientation 6", " ".join(self.info(scene)["notes"]))
+            exif = b"Exif\0\0" + mark + b"\xff" * 40  # points nowhere
+            (scene / "rgb.jpg").write_bytes(
+                bytes_[:2] + b"\xff\xe1" + (len(exif) + 2).to_bytes(2, "big") + exif + bytes_[2:])
+            self.assertNotIn("notes", self.info(scene))
+        self.assertNotIn("notes", self.info(self.scene()))
+
     def test_has_the_names_that_people_give_it(self):
         for depth_name, name in (("depth.png", "color.png"), ("depth.png", "colour.png"), ("Depth.png", "Color.png"),
                                  ("DEPTH.PNG", "RGB.PNG"), ("depth.png", "Rgb.JPG")):
@@ -173,6 +198,25 @@ class Depth(FramesTest):
         scene = self.scene(depth_name="depth.tiff")
         (scene / "depth.tiff").rename(scene / "depth.png")
         self.expect_read(scene, "--from", "scene")
+
+    def exr(self, scene, channel, name):
+        """The file of a scene, with a channel of OpenCV's renamed."""
+        file = scene / "depth.exr"
+        content = file.read_bytes()
+        at = content.index(channel + b"\0", content.index(b"chlist\0") + 11)
+        file.write_bytes(content[:at] + name + content[at + 1:])
+        return scene
+
+    def test_the_channel_z_of_a_renderer_is_depth(self):
+        only = self.scene(depth_name="depth.exr", depth_image=metres)
+        self.expect_read(self.exr(only, b"Y", b"Z"), "--from", "scene")
+        self.expect_read(self.exr(only, b"Z", b"V"), "--from", "scene")
+        many = numpy.dstack([metres * 0 + 0.25, metres * 0 + 0.5, metres])  # blue green red
+        self.expect_read(self.exr(self.scene(depth_name="depth.exr", depth_image=many), b"R", b"Z"), "--from", "scene")
+        whole = (only / "depth.exr").read_bytes()
+        for cut in (100, 400, len(whole) // 2, len(whole) - 10):
+            (only / "depth.exr").write_bytes(whole[:cut])
+            self.refused("depth.exr", words=("info", only))
 
     def test_a_picture_of_it_is_refused(self):
         picture = (depth >> 4).astype(numpy.uint8)
@@ -292,6 +336,8 @@ class Layouts(FramesTest):
             ("0001-depth.png", "0001.png", "camera.yaml", CAMERA),
             ("Depth/1.PNG", "RGB/1.PNG", "K.txt", matrix),
             ("depth_aligned/1.png", "images/1.png", "camera.yaml", CAMERA),
+            ("depth/0.png", "color/0.jpg", "recording.txt", SCANNET),  # scene0000_00/scene0000_00.txt
+            ("frame-000000.depth.pgm", "frame-000000.color.jpg", "_info.txt", SENS),  # 3RScan
         ):
             with self.subTest(names[:3]):
                 folder = self.recording(*names)
