@@ -37,6 +37,12 @@ class Bytes : public Imf::IStream {
   std::uint64_t size_, at_ = 0;
 };
 
+/// Of all EXR files: memory is taken for whole tiles, of which a few bytes may claim any size.
+void limit_tiles() {
+  constexpr int largest = 1024;
+  Imf::Header::setMaxTileSize(largest, largest);
+}
+
 /// The channel of depth: Z, also of a layer; else the only one. "" where there is none.
 std::string depth_channel(const Imf::ChannelList& channels) {
   std::string only;
@@ -57,6 +63,7 @@ extern "C" __attribute__((visibility("default"))) const char* gestalt_decode_exr
                                                                                        std::size_t size,
                                                                                        cv::Mat* image) {
   try {
+    limit_tiles();
     Bytes stream(bytes, size);
     Imf::InputFile file(stream, 1);
     const std::string name = depth_channel(file.header().channels());
@@ -84,6 +91,7 @@ extern "C" __attribute__((visibility("default"))) const char* gestalt_decode_ima
   // The caller reports errors, with the file's name.
   cv::utils::logging::setLogLevel(cv::utils::logging::LOG_LEVEL_SILENT);
   try {
+    limit_tiles();
     const cv::Mat buffer(1, int(size), CV_8UC1, const_cast<char*>(bytes));
     *image = cv::imdecode(buffer, cv::IMREAD_UNCHANGED);
     return image->empty() ? "its data are damaged, or of a kind that OpenCV does not read" : "";

@@ -47,26 +47,28 @@ std::optional<cv::Size> pnm_size(std::string_view bytes) {
   return size_of(width, next());
 }
 
-/// The attributes of the first part: name, type, size of the value, value.
-std::optional<cv::Size> exr_size(std::string_view bytes) {
+/// The value of an attribute of the first part, whose attributes are: name, type, size of the value, value. Nothing
+/// where it is not there or any of them is damaged: OpenEXR takes memory for what any claims.
+std::optional<std::string_view> exr_attribute(std::string_view bytes, std::string_view wanted) {
   bytes.remove_prefix(std::min<std::size_t>(8, bytes.size()));
-  std::optional<cv::Size> declared;
-  // To the end: OpenEXR takes memory for what any attribute claims.
+  std::optional<std::string_view> found;
   while (!bytes.empty() && bytes[0] != '\0') {
     const std::size_t name = bytes.find('\0');
     const std::size_t type = name == bytes.npos ? name : bytes.find('\0', name + 1);
     if (type == bytes.npos || bytes.size() - type < 5) return std::nullopt;
     const std::size_t size = number_at(bytes, type + 1, 4, false), value = type + 5;
     if (bytes.size() - value < size) return std::nullopt;
-    if (bytes.substr(0, name) == "dataWindow" && size == 16) {
-      const auto corner = [&](std::size_t i) {
-        return std::int64_t(std::int32_t(number_at(bytes, value + 4 * i, 4, false)));
-      };
-      declared = size_of(corner(2) - corner(0) + 1, corner(3) - corner(1) + 1);
-    }
+    if (bytes.substr(0, name) == wanted) found = bytes.substr(value, size);
     bytes.remove_prefix(value + size);
   }
-  return bytes.empty() ? std::nullopt : declared;
+  return bytes.empty() ? std::nullopt : found;
+}
+
+std::optional<cv::Size> exr_size(std::string_view bytes) {
+  const auto window = exr_attribute(bytes, "dataWindow");
+  if (!window || window->size() != 16) return std::nullopt;
+  const auto corner = [&](std::size_t i) { return std::int64_t(std::int32_t(number_at(*window, 4 * i, 4, false))); };
+  return size_of(corner(2) - corner(0) + 1, corner(3) - corner(1) + 1);
 }
 
 }  // namespace
@@ -115,6 +117,15 @@ std::optional<cv::Size> declared_size(std::string_view bytes, ImageKind kind) {
     default:
       return std::nullopt;
   }
+}
+
+std::size_t exr_channels(std::string_view bytes) {
+  constexpr std::size_t entry = 16;  // type, and what else is said of a channel, behind its name
+  std::string_view list = exr_attribute(bytes, "channels").value_or("");
+  std::size_t count = 0;
+  for (; !list.empty() && list[0] != '\0'; ++count)
+    list.remove_prefix(std::min(list.size(), std::min(list.find('\0'), list.size()) + 1 + entry));
+  return count;
 }
 
 }  // namespace gestalt

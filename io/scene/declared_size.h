@@ -21,4 +21,7 @@ std::string seen_as(std::string_view bytes);
 /// claim; nothing when the header is damaged.
 std::optional<cv::Size> declared_size(std::string_view bytes, ImageKind kind);
 
+/// How many channels an EXR file declares; each takes memory for some hundred rows before any is read.
+std::size_t exr_channels(std::string_view bytes);
+
 }  // namespace gestalt

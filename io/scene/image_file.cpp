@@ -63,6 +63,12 @@ cv::Mat decode_other(const fs::path& file, std::string_view bytes, ImageKind kin
   if (size->width < 1 || size->height < 1 || std::int64_t{size->width} * size->height > most_pixels)
     fail(file, "declares " + std::to_string(size->width) + "x" + std::to_string(size->height) +
                    " pixels; images of 1 to 2^26 pixels can be read");
+  constexpr std::size_t most_channels = 256, widest = std::size_t{1} << 19;  // columns of all channels
+  if (kind == ImageKind::exr)
+    if (const std::size_t channels = exr_channels(bytes);
+        channels > most_channels || channels * std::size_t(size->width) > widest)
+      fail(file, "has " + std::to_string(channels) + " channels of " + std::to_string(size->width) +
+                     " columns; write those of depth, or of colour, into a file of their own");
   cv::Mat image;
   std::string problem;
   if (kind == ImageKind::exr && what == Content::depth) problem = decode_exr_depth(bytes, image);

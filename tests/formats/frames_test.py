@@ -8,6 +8,7 @@ import os
 import pathlib
 import re
 import shutil
+import struct
 import subprocess
 import unittest
 
@@ -214,6 +215,11 @@ class Depth(FramesTest):
         many = numpy.dstack([metres * 0 + 0.25, metres * 0 + 0.5, metres])  # blue green red
         self.expect_read(self.exr(self.scene(depth_name="depth.exr", depth_image=many), b"R", b"Z"), "--from", "scene")
         whole = (only / "depth.exr").read_bytes()
+        channels = b"".join(b"%03d\0" % i + struct.pack("<i4xii", 2, 1, 1) for i in range(300)) + b"\0"
+        at = whole.index(b"chlist\0") + 7
+        end = at + 4 + int.from_bytes(whole[at:at + 4], "little")
+        (only / "depth.exr").write_bytes(whole[:at] + struct.pack("<i", len(channels)) + channels + whole[end:])
+        self.refused("depth.exr: has 300 channels of 640 columns", words=("info", only))
         for cut in (100, 400, len(whole) // 2, len(whole) - 10):
             (only / "depth.exr").write_bytes(whole[:cut])
             self.refused("depth.exr", words=("info", only))
