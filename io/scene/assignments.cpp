@@ -9,9 +9,8 @@ namespace gestalt {
 
 namespace {
 
-constexpr std::string_view blank = " \t\r";
-
 std::string_view trimmed(std::string_view text) {
+  constexpr std::string_view blank = " \t\r";
   text.remove_prefix(std::min(text.find_first_not_of(blank), text.size()));
   return text.substr(0, text.find_last_not_of(blank) + 1);
 }
@@ -39,7 +38,7 @@ bool is_key(std::string_view key) {
 }
 
 /// In single quotes, where a quote is written twice.
-std::string quoted(std::string_view value) {
+std::string in_quotes(std::string_view value) {
   std::string text = "'";
   for (const char c : value) text.append(c == '\'' ? 2 : 1, c);
   return text + "'";
@@ -71,7 +70,7 @@ std::string yaml_of_assignments(std::string_view text) {
       const std::string_view key = trimmed(line.substr(0, equals)), value = trimmed(line.substr(equals + 1));
       // Where it stands in the file, which messages tell.
       const std::size_t column = line.size() - value.size(), gap = std::max(column, key.size() + 2) - key.size() - 1;
-      yaml.append(indentation).append(key).append(":").append(gap, ' ').append(quoted(value));
+      yaml.append(indentation).append(key).append(":").append(gap, ' ').append(in_quotes(value));
     }
     yaml += '\n';
     return true;
