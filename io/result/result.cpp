@@ -152,7 +152,7 @@ Json result_json(const Input& input, const SegmentedFrame& found, const Json& co
                 {"decision", times.decision},
                 {"total", times.total()}}},
               {"config", config}};
-  if (percept.unpaired > 0) result["unpaired"] = percept.unpaired;
+  if (percept.omitted_pairs > 0) result["omitted_pairs"] = percept.omitted_pairs;
   return result;
 }
 
