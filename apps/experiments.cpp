@@ -17,8 +17,8 @@ namespace gestalt::app {
 namespace fs = std::filesystem;
 
 std::vector<ExperimentOutcome> run_with_progress(const std::vector<Variant>& variants, const Registry& registry,
-                                                 const Protocol& protocol, const fs::path& store) {
-  for (const fs::path& folder : {store, store.parent_path()}) remove_abandoned(folder);
+                                                 const Protocol& protocol, const OutputPath& store) {
+  for (const OutputPath& folder : {store, OutputPath(store.named())}) remove_abandoned(folder);
   const ProgressBar bar(variants.size());
   const ExperimentEvents events{
       [&](std::size_t done, std::size_t, const std::string& variant) { bar.show(done, variant); },
@@ -51,7 +51,7 @@ int exit_code(const std::vector<ExperimentOutcome>& outcomes) {
   return failed ? run_failed : success;
 }
 
-std::vector<OutputFile> report_files(const Report& report, const fs::path& folder, const std::string& name) {
+std::vector<OutputFile> report_files(const Report& report, const OutputPath& folder, const std::string& name) {
   std::vector<OutputFile> files{{folder / (name + ".md"), markdown(report)}, {folder / (name + ".html"), html(report)}};
   for (const ReportBlock& block : report.blocks)
     if (const auto* plot = std::get_if<Plot>(&block)) files.push_back({folder / plot->file, plot->svg});

@@ -4,6 +4,7 @@
 #include "resumption.h"
 
 #include <algorithm>
+#include <map>
 #include <nlohmann/json.hpp>
 #include <set>
 
@@ -35,7 +36,7 @@ std::string content_of(const fs::path& file) {
 bool is_of_results(const fs::path& file) {
   static const std::set<std::string> of_results = result_names();
   const std::string name = file.filename().string();
-  return of_results.contains(name) || name.find(".tmp") != std::string::npos;
+  return of_results.contains(name) || name.starts_with(".gestalt-");
 }
 
 }  // namespace
@@ -50,15 +51,13 @@ std::string scene_identity(const fs::path& scene) {
 }
 
 bool is_segmented(const fs::path& folder, const std::string& identity, const std::vector<std::string>& wanted) {
-  const auto is_there = [&](const std::string& name) {
-    std::error_code error;
-    return fs::is_regular_file(folder / name, error);
-  };
-  if (!is_there("result.json")) return false;
+  std::error_code error;
+  if (!fs::is_regular_file(folder / "result.json", error)) return false;
   try {
     const json result = read_result_content(folder / "result.json");
-    const auto files = result.at("files").get<std::set<std::string>>();
-    return result.at("config").at("identity") == identity && std::all_of(files.begin(), files.end(), is_there) &&
+    const auto files = result.at("files").get<std::map<std::string, std::string>>();
+    const auto is_whole = [&](const auto& file) { return content_of(folder / file.first) == file.second; };
+    return result.at("config").at("identity") == identity && std::all_of(files.begin(), files.end(), is_whole) &&
            std::all_of(wanted.begin(), wanted.end(), [&](const std::string& name) { return files.contains(name); });
   } catch (const InputError&) {
     return false;

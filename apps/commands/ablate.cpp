@@ -94,12 +94,12 @@ int ablate(Options options) {
   const LoadedConfig loaded = load_config(options.pipeline);
   const std::vector<Variant> variants = all_variants(options, loaded);
   const std::vector<ExperimentOutcome> outcomes =
-      run_with_progress(variants, loaded.registry, protocol, options.output / "results");
+      run_with_progress(variants, loaded.registry, protocol, OutputPath(options.output) / "results");
   const std::vector<NamedResult> results = named(variants, outcomes);
   const Report report =
       ablation_report("Ablation of " + config_file(options).filename().string(), description(protocol), results);
   std::vector<OutputFile> files = report_files(report, options.output, "ablation");
-  files.push_back({options.output / "ablation.csv", csv(ablation_rows(results))});
+  files.push_back({OutputPath(options.output) / "ablation.csv", csv(ablation_rows(results))});
   write_files(files);
   if (options.json)
     std::cout << results_json(results).dump(1) << '\n';

@@ -158,6 +158,7 @@ std::string format_of(const Options& options) {
 
 int export_surfaces(const Options& options) {
   const StoredResult result = read_result(options.result);
+  if (!result.warning.empty()) std::cerr << "gestalt: warning: " << result.warning << '\n';
   TriangulationBudget budget;
   std::vector<Object> objects;
   for (const StoredResult::Segment& segment : result.segments)

@@ -21,6 +21,7 @@
 #include "gestalt/core/base/json_file.h"
 #include "gestalt/core/base/output_file.h"
 #include "gestalt/core/pipeline/learning_set.h"
+#include "gestalt/io/result/result_digests.h"
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/scene_format.h"
 #include "gestalt/io/scene/scene_path.h"
@@ -134,10 +135,14 @@ Description describe_model(const nlohmann::json& model) {
   return description;
 }
 
-Description describe_result(const nlohmann::json& result) {
+Description describe_result(const fs::path& file, const nlohmann::json& result) {
   Description description{{"kind", "result of gestalt segment"}};
   for (const char* list : {"segments", "patches", "pairs"}) description[list] = result.at(list).size();
   for (const char* fact : {"scene", "camera", "milliseconds", "gestalt", "build"}) description[fact] = result.at(fact);
+  if (const std::string warning = warning_of_foreign_files(file, result); !warning.empty()) {
+    std::cerr << "gestalt: warning: " << warning << '\n';
+    description["foreign_files"] = foreign_files(file, result);
+  }
   return description;
 }
 
@@ -161,7 +166,7 @@ Description describe_json(const fs::path& file) try {
   const nlohmann::json content = read_json(file);
   const std::string format = content.is_object() ? content.value("format", "") : "";
   if (format == "gestalt-model") return describe_model(content);
-  if (format == "gestalt-result") return describe_result(content);
+  if (format == "gestalt-result") return describe_result(file, content);
   return describe_camera_file(file);
 } catch (const nlohmann::json::exception& error) {
   fail(file, std::string("is no complete model or result: ") + error.what());

@@ -11,6 +11,7 @@
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/output_file.h"
 #include "gestalt/inspector/inspection/inspection.h"
+#include "gestalt/io/result/result_digests.h"
 #include "gestalt/io/result/result_file.h"
 #include "gestalt/io/scene/input.h"
 
@@ -44,6 +45,8 @@ Result read(const fs::path& path) {
   std::error_code ignored;
   fs::path file = fs::is_directory(path, ignored) ? path / "result.json" : path;
   json content = read_result_content(file);
+  if (const std::string warning = warning_of_foreign_files(file, content); !warning.empty())
+    std::cerr << "gestalt: warning: " << warning << '\n';
   return {std::move(file), std::move(content)};
 }
 

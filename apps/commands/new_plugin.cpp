@@ -68,7 +68,7 @@ std::vector<OutputFile> project_files(const Options& options) {
     if (!fs::is_directory(folder))
       throw Error("the templates in '" + folder.string() + "' are not there; repair the installation");
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
-      files.push_back({options.folder / filled_in(entry.path().filename().string(), options),
+      files.push_back({OutputPath(options.folder) / filled_in(entry.path().filename().string(), options),
                        filled_in(read(entry.path()), options)});
   }
   return files;

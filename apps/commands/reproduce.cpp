@@ -77,7 +77,7 @@ int reproduce(const Options& options) {
   const LoadedConfig loaded = load_config(pipeline);
   const std::vector<Variant> variants = reproduction_variants(loaded.config, loaded.registry);
   const std::vector<ExperimentOutcome> outcomes =
-      run_with_progress(variants, loaded.registry, protocol, options.output / "results");
+      run_with_progress(variants, loaded.registry, protocol, OutputPath(options.output) / "results");
   const Reproduction reproduction{protocol, named(variants, outcomes), std::move(peers),
                                   is_papers(loaded.config, loaded.registry)};
   const Report report = reproduction_report(reproduction);

@@ -3,12 +3,10 @@
 
 #include "frame_queue.h"
 
-#include <limits>
-
 namespace gestalt::app {
 
 std::size_t FrameQueue::wait_for_room(Clock::duration patience) {
-  if (!capacity_) return std::numeric_limits<std::size_t>::max();
+  if (!capacity_) return most_at_once;
   std::unique_lock lock(mutex_);
   changed_.wait_for(lock, patience, [&] { return frames_.size() < *capacity_; });
   return *capacity_ - frames_.size();

@@ -7,7 +7,6 @@
 #include <cstddef>
 #include <deque>
 #include <filesystem>
-#include <limits>
 #include <mutex>
 #include <optional>
 #include <vector>
@@ -29,7 +28,10 @@ class FrameQueue {
   /// dropped.
   explicit FrameQueue(std::optional<std::size_t> capacity) : capacity_(capacity) {}
 
-  /// Waits, for some time, until frames can be put in; gives how many. Any number where frames are dropped.
+  /// Where frames are dropped, a long list must not be in memory as a whole.
+  static constexpr std::size_t most_at_once = 4096;
+
+  /// Waits, for some time, until frames can be put in; gives how many. most_at_once where frames are dropped.
   std::size_t wait_for_room(Clock::duration patience);
 
   /// Frames that have come at once, oldest first, no more than there is room for. None is taken before all are in.

@@ -10,6 +10,7 @@
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/result/result.h"
+#include "gestalt/io/result/result_digests.h"
 #include "gestalt/io/result/result_file.h"
 #include "gestalt/io/scene/input.h"
 
@@ -23,8 +24,7 @@ constexpr double tolerance = 0.001;  ///< m, of a surface's triangles
 constexpr std::uint8_t grey = 190;   ///< of what is no object, where there is no colour
 
 /// Otherwise the cloud would take the intrinsics that lie near it.
-Camera camera_of(const fs::path& file) {
-  const nlohmann::json content = read_result_content(file);
+Camera camera_of(const fs::path& file, const nlohmann::json& content) {
   try {
     const nlohmann::json& camera = content.at("camera");
     return Camera{camera.at("width"), camera.at("height"), camera.at("fx"),
@@ -85,13 +85,19 @@ pcl::PolygonMesh object_surfaces(const fs::path& file, const StoredResult& store
 
 ViewedResult read_viewed_result(const fs::path& folder) {
   const fs::path file = folder / "result.json", cloud = folder / "labelled.pcd";
+  const nlohmann::json content = read_result_content(file);
   const StoredResult stored = read_result(file);
   std::error_code ignored;
   if (!fs::exists(cloud, ignored))
     throw InputError(cloud.string() + ": does not exist; segment the scene with --also pcd");
-  ReadOptions options = camera_of(file);
+  ReadOptions options = camera_of(file, content);
   options.labels = LabelScheme::osd;  // keeps the numbers of segments as they are
   const Input input = read_scene(cloud, options);
+  if (const auto files = content.find("files");
+      files != content.end() && files->is_object() && !files->contains(cloud.filename().string()))
+    throw InputError(cloud.string() + ": is of an earlier run; segment the scene again with --also pcd");
+  // What was read first against what lies there now: somebody may have written both meanwhile.
+  if (const std::string warning = warning_of_foreign_files(file, content); !warning.empty()) throw InputError(warning);
   if (input.ground_truth.empty()) throw InputError(cloud.string() + ": has no labels; segment the scene again");
 
   ViewedResult result{

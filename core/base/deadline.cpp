@@ -24,7 +24,8 @@ void Deadline::require(std::string_view at_work) const {
   if (spent < budget_) return;
   throw TimeError("the frame's time is over: " + std::to_string(spent) + " ms of its time_budget of " +
                   std::to_string(budget_) + " ms were spent when " + std::string(at_work) +
-                  " was at work; allow more in the config, or take out what is slow");
+                  " was at work; allow more, as with --set time_budget=" + std::to_string(2 * std::int64_t{budget_}) +
+                  " (0: no limit), or take out what is slow");
 }
 
 }  // namespace gestalt

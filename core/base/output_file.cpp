@@ -8,13 +8,14 @@
 #include <sys/stat.h>
 #include <unistd.h>
 
+#include <array>
 #include <cerrno>
-#include <charconv>
-#include <csignal>
 #include <cstring>
 #include <deque>
+#include <map>
 #include <memory>
 
+#include "folder_lock.h"
 #include "gestalt/core/base/error.h"
 
 namespace gestalt {
@@ -23,44 +24,33 @@ namespace fs = std::filesystem;
 
 namespace {
 
-constexpr std::string_view temporary_mark = ".tmp";
 constexpr const char* choose_another = "; choose another --output";
 
-/// The process whose temporary file this is; 0: it is none. Names are FILE.tmp17, or FILE.tmp17-2 where that is taken.
-pid_t writer_of(std::string_view name) {
-  const std::size_t mark = name.rfind(temporary_mark);
-  if (mark == name.npos) return 0;
-  pid_t process = 0;
-  unsigned count = 0;
-  const char* const end = name.data() + name.size();
-  auto [rest, error] = std::from_chars(name.data() + mark + temporary_mark.size(), end, process);
-  if (error != std::errc{}) return 0;
-  if (rest != end && *rest == '-') rest = std::from_chars(rest + 1, end, count).ptr;
-  return rest == end ? process : 0;
+// Of names that nobody else gives to files: .gestalt-0123456789abcdef.tmp
+constexpr std::string_view temporary_begin = ".gestalt-", temporary_end = ".tmp", hexadecimal = "0123456789abcdef";
+constexpr std::size_t temporary_digits = 16;
+
+std::string temporary_name() {
+  std::array<unsigned char, temporary_digits / 2> random{};
+  if (::getentropy(random.data(), random.size()) != 0) throw OutputError("the system gives no random numbers");
+  std::string name(temporary_begin);
+  for (const unsigned char byte : random) {
+    name += hexadecimal[byte >> 4];
+    name += hexadecimal[byte & 15];
+  }
+  return name.append(temporary_end);
+}
+
+bool is_temporary(std::string_view name) {
+  if (name.size() != temporary_begin.size() + temporary_digits + temporary_end.size()) return false;
+  const std::string_view digits = name.substr(temporary_begin.size(), temporary_digits);
+  return name.starts_with(temporary_begin) && name.ends_with(temporary_end) &&
+         digits.find_first_not_of(hexadecimal) == digits.npos;
 }
 
 [[noreturn]] void fail(const fs::path& file, const std::string& why) {
   throw OutputError(file.string() + ": cannot be written: " + why);
 }
-
-/// A file or folder that is closed at the end; -1: none.
-class Descriptor {
- public:
-  explicit Descriptor(int number) : number_(number) {}
-  Descriptor(Descriptor&& other) noexcept : number_(std::exchange(other.number_, -1)) {}
-  Descriptor& operator=(Descriptor&& other) noexcept {
-    std::swap(number_, other.number_);
-    return *this;
-  }
-  ~Descriptor() { close(); }
-
-  explicit operator bool() const { return number_ >= 0; }
-  operator int() const { return number_; }  // NOLINT(google-explicit-constructor): for the system's functions
-  int close() { return number_ < 0 ? 0 : ::close(std::exchange(number_, -1)); }
-
- private:
-  int number_;
-};
 
 constexpr int as_folder = O_RDONLY | O_DIRECTORY | O_CLOEXEC;
 
@@ -112,15 +102,16 @@ class StagedFile {
     name_ = std::move(name);
     folder_ = open_folder(way, file_);
     require_replaceable();
-    Descriptor out = create();
-    if (!out) fail_to_write();
+    out_ = create();
+    if (!out_) fail_to_write();
     for (std::size_t done = 0; done < bytes.size();) {
-      const ssize_t written = ::write(out, bytes.data() + done, bytes.size() - done);
+      const ssize_t written = ::write(out_, bytes.data() + done, bytes.size() - done);
       if (written < 0 && errno == EINTR) continue;
       if (written < 0) fail_to_write();
       done += std::size_t(written);
     }
-    if (out.close() != 0) fail_to_write();
+    // Some file systems tell only now that it could not be written; what stays open keeps the file's lock.
+    if (Descriptor(::dup(out_)).close() != 0) fail_to_write();
   }
   StagedFile(const StagedFile&) = delete;
   StagedFile& operator=(const StagedFile&) = delete;
@@ -130,6 +121,15 @@ class StagedFile {
   void retract() const {
     if (::unlinkat(folder_, name_.c_str(), 0) != 0 && errno != ENOENT)
       fail(file_, std::strerror(errno) + std::string(choose_another));
+  }
+
+  FolderLock lock_folder() const { return {folder_, file_.parent_path()}; }
+
+  /// Device and number.
+  std::pair<dev_t, ino_t> folder() const {
+    struct stat status {};
+    if (::fstat(folder_, &status) != 0) fail(file_, std::strerror(errno));
+    return {status.st_dev, status.st_ino};
   }
 
   void publish() {
@@ -149,17 +149,20 @@ class StagedFile {
       fail(file_, std::string("it is no regular file") + choose_another);
   }
 
-  /// A new file: other threads, and processes that have this one's number elsewhere, write under other names.
+  /// A new file with a lock, without which it would count as abandoned where it has been taken away before that.
   Descriptor create() {
-    constexpr int most_tries = 1000;
-    for (int i = 0; i < most_tries; ++i) {
-      temporary_ = name_;
-      temporary_ += temporary_mark;
-      temporary_ += std::to_string(::getpid()) + (i > 0 ? "-" + std::to_string(i) : "");
+    for (;;) {
+      temporary_ = temporary_name();
       Descriptor out(::openat(folder_, temporary_.c_str(), O_WRONLY | O_CREAT | O_EXCL | O_NOFOLLOW | O_CLOEXEC, 0666));
-      if (out || errno != EEXIST) return out;
+      if (!out && errno == EEXIST) continue;
+      if (!out) return out;
+      if (!try_lock(out)) {
+        if (errno == EWOULDBLOCK) continue;  // remove_abandoned() has it and takes it away
+        return out;                          // there are no locks here
+      }
+      struct stat status {};
+      if (::fstat(out, &status) == 0 && status.st_nlink > 0) return out;
     }
-    return Descriptor(-1);
   }
 
   [[noreturn]] void fail_to_write() {
@@ -174,7 +177,7 @@ class StagedFile {
 
   const fs::path file_;
   fs::path name_;
-  Descriptor folder_{-1};
+  Descriptor folder_{-1}, out_{-1};
   fs::path temporary_;  ///< in the folder; empty once it is published
 };
 
@@ -197,21 +200,43 @@ OutputPath OutputPath::operator/(const std::filesystem::path& name) const {
   return inner;
 }
 
+namespace {
+
+/// Gives files their names; last, when it is there, tells that all of the others have theirs.
+void publish_together(std::deque<StagedFile>& staged, StagedFile* last) {
+  // In one order, so that no two writers wait for each other.
+  std::map<std::pair<dev_t, ino_t>, const StagedFile*> folders;
+  for (const StagedFile& file : staged) folders.emplace(file.folder(), &file);
+  if (last) folders.emplace(last->folder(), last);
+  std::deque<FolderLock> locks;
+  for (const auto& [folder, file] : folders) locks.push_back(file->lock_folder());
+  if (last) last->retract();
+  for (StagedFile& file : staged) file.publish();
+  if (last) last->publish();
+}
+
+}  // namespace
+
 void write_file(const fs::path& file, std::string_view bytes) { StagedFile(behind_links(file), bytes).publish(); }
 
 void write_files(const std::vector<OutputFile>& files) {
   std::deque<StagedFile> staged;
   for (const auto& [file, bytes] : files) staged.emplace_back(file, bytes);
-  for (StagedFile& file : staged) file.publish();
+  if (staged.size() == 1) return staged.front().publish();
+  publish_together(staged, nullptr);
 }
 
 void write_files(const std::vector<OutputFile>& files, const OutputFile& last) {
   std::deque<StagedFile> staged;
   for (const auto& [file, bytes] : files) staged.emplace_back(file, bytes);
   StagedFile staged_last(last.file, last.bytes);
-  staged_last.retract();
-  for (StagedFile& file : staged) file.publish();
-  staged_last.publish();
+  publish_together(staged, &staged_last);
+}
+
+void update_file(const OutputPath& file, const std::function<std::string()>& content) {
+  const Descriptor folder = open_folder(split(file).first, file.path());
+  const FolderLock lock(folder, file.path().parent_path());
+  StagedFile(file, content()).publish();
 }
 
 void remove_abandoned(const OutputPath& place) {
@@ -222,8 +247,9 @@ void remove_abandoned(const OutputPath& place) {
   const std::unique_ptr<DIR, int (*)(DIR*)> entries(::fdopendir(::dup(folder)), ::closedir);
   if (!entries) return;
   while (const dirent* entry = ::readdir(entries.get())) {
-    const pid_t writer = writer_of(entry->d_name);
-    if (writer > 0 && ::kill(writer, 0) != 0 && errno == ESRCH) ::unlinkat(folder, entry->d_name, 0);
+    if (!is_temporary(entry->d_name)) continue;
+    const Descriptor file(::openat(folder, entry->d_name, O_RDONLY | O_NOFOLLOW | O_NONBLOCK | O_CLOEXEC));
+    if (file && try_lock(file)) ::unlinkat(folder, entry->d_name, 0);
   }
 }
 

@@ -3,6 +3,7 @@
 #pragma once
 
 #include <filesystem>
+#include <functional>
 #include <string>
 #include <string_view>
 #include <utility>
@@ -44,6 +45,8 @@ struct OutputFile {
 /// write_file for files that belong together: none gets its final name before all are written. Missing folders are
 /// made. Where the file's name is a symbolic link, the file takes its place; where a folder below what the user named
 /// is one, throws OutputError. Folders are opened one below the other, so that none can be made a link meanwhile.
+/// Others that write files into the same folders by these functions - threads, processes - wait until all have their
+/// names, 30 s at most, after which they throw OutputError with the process that is at work.
 GESTALT_EXPORT void write_files(const std::vector<OutputFile>& files);
 
 /// The same with a file that tells that all others are there: the old one is removed before any other gets its final
@@ -51,8 +54,13 @@ GESTALT_EXPORT void write_files(const std::vector<OutputFile>& files);
 /// killed.
 GESTALT_EXPORT void write_files(const std::vector<OutputFile>& files, const OutputFile& last);
 
-/// Removes the temporary files that processes which were killed have left in a folder; nothing where there is none, or
-/// a link on the way below what the user named.
+/// write_files for a file that follows from what was there: content is called, and reads that, while no one else
+/// changes files of the folder by these functions.
+GESTALT_EXPORT void update_file(const OutputPath& file, const std::function<std::string()>& content);
+
+/// Removes the temporary files that processes which were killed have left in a folder, .gestalt-<16 digits>.tmp;
+/// nothing where there is none, or a link on the way below what the user named. Those that are being written have a
+/// lock, which other containers and machines see, too.
 GESTALT_EXPORT void remove_abandoned(const OutputPath& folder);
 
 }  // namespace gestalt

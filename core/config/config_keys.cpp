@@ -13,7 +13,7 @@ Parameter levels_declaration() {
 Parameter time_budget_declaration() {
   return {"time_budget",
           Parameter::Type::integer,
-          std::int64_t{0},
+          std::int64_t{60'000},
           0,
           86'400'000,
           {},

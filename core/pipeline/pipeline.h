@@ -40,7 +40,7 @@ struct Percept {
   std::vector<double> sizes;           ///< of each surface, by find_sizes(); a segment of less than 1 is background
   RelationTable structural;            ///< 3D neighbours
   RelationTable assembly;              ///< all other pairs; empty without the assembly level
-  std::size_t unpaired = 0;            ///< the smallest surfaces, which the assembly level leaves out of too many
+  std::size_t omitted_pairs = 0;       ///< that the assembly level leaves out of too many
   double pixel_density = 1;            ///< of the frame's camera: by what the levels' minimum sizes were multiplied
   bool separate = true;  ///< FigureGroundParams::separate: pairs of an object and the background are not decided
   LevelTimes times;

@@ -81,44 +81,83 @@ std::vector<std::size_t> large_surfaces(const SurfaceSet& surfaces, double minim
   return large;
 }
 
-/// Those that pairs of the assembly level are made of.
-std::vector<bool> paired_surfaces(const SurfaceSet& surfaces, double minimum_size) {
-  std::vector<std::size_t> chosen = large_surfaces(surfaces, minimum_size);
-  if (chosen.size() > most_paired_surfaces) {
-    std::stable_sort(chosen.begin(), chosen.end(), [&](std::size_t a, std::size_t b) {
-      return surfaces.surfaces[a].pixels.size() > surfaces.surfaces[b].pixels.size();
-    });
-    chosen.resize(most_paired_surfaces);
-  }
-  std::vector<bool> paired(surfaces.surfaces.size(), false);
-  for (const std::size_t i : chosen) paired[i] = true;
-  return paired;
+using Pair = std::pair<std::size_t, std::size_t>;  // the lower number first
+
+Pair ordered(std::size_t a, std::size_t b) { return {std::min(a, b), std::max(a, b)}; }
+
+std::vector<Pair> all_pairs(const std::vector<std::size_t>& of) {
+  std::vector<Pair> pairs;
+  pairs.reserve(of.size() * of.size() / 2);
+  for (std::size_t i = 0; i < of.size(); ++i)
+    for (std::size_t j = i + 1; j < of.size(); ++j) pairs.push_back(ordered(of[i], of[j]));
+  return pairs;
+}
+
+cv::Point2d mean_pixel(const SurfaceSet& surfaces, std::size_t surface) {
+  const int width = std::max(1, surfaces.labels.cols);
+  cv::Point2d sum(0, 0);
+  const std::vector<int>& pixels = surfaces.surfaces[surface].pixels;
+  for (const int pixel : pixels) sum += cv::Point2d(pixel % width, pixel / width);
+  return sum / double(pixels.size());
+}
+
+/// Each with so many that are nearest to it in the image, the first of equally near ones.
+std::vector<Pair> nearest_pairs(const SurfaceSet& surfaces, const std::vector<std::size_t>& of, std::size_t count) {
+  std::vector<cv::Point2d> centres;
+  centres.reserve(of.size());
+  for (const std::size_t surface : of) centres.push_back(mean_pixel(surfaces, surface));
+  std::vector<Pair> pairs(of.size() * count);
+  tbb::parallel_for(std::size_t{0}, of.size(), [&](std::size_t i) {
+    std::vector<std::pair<double, std::size_t>> others;  // squared distance, index
+    others.reserve(of.size());
+    for (std::size_t j = 0; j < of.size(); ++j) {
+      const cv::Point2d apart = centres[i] - centres[j];
+      if (j != i) others.emplace_back(apart.dot(apart), j);
+    }
+    std::nth_element(others.begin(), others.begin() + std::ptrdiff_t(count), others.end());
+    for (std::size_t k = 0; k < count; ++k) pairs[i * count + k] = ordered(of[i], of[others[k].second]);
+  });
+  return pairs;
+}
+
+/// The pairs of large surfaces, or the bounded number of them, neighbours included; sorted.
+std::vector<Pair> paired(const SurfaceSet& surfaces, double minimum_size) {
+  std::vector<std::size_t> large = large_surfaces(surfaces, minimum_size);
+  if (large.size() * (large.size() - std::min<std::size_t>(large.size(), 1)) / 2 <= most_assembly_pairs)
+    return all_pairs(large);
+  std::stable_sort(large.begin(), large.end(), [&](std::size_t a, std::size_t b) {
+    return surfaces.surfaces[a].pixels.size() > surfaces.surfaces[b].pixels.size();
+  });
+  if (large.size() > most_paired_surfaces) large.resize(most_paired_surfaces);
+  const std::size_t half = most_assembly_pairs / 2;
+  std::vector<Pair> pairs = nearest_pairs(surfaces, large, half / large.size());
+  large.resize(std::size_t(std::sqrt(2 * double(half))));
+  for (const Pair& pair : all_pairs(large)) pairs.push_back(pair);
+  std::sort(pairs.begin(), pairs.end());
+  pairs.erase(std::unique(pairs.begin(), pairs.end()), pairs.end());
+  return pairs;
 }
 
 }  // namespace
 
-std::size_t unpaired_surfaces(const SurfaceSet& surfaces, double minimum_size) {
-  const std::size_t large = large_surfaces(surfaces, minimum_size).size();
-  return large - std::min(large, most_paired_surfaces);
-}
-
 std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, double minimum_size) {
-  const std::vector<bool> paired = paired_surfaces(surfaces, minimum_size);
-  const auto large = [&](int surface) { return paired[std::size_t(surface)]; };
-  const int count = int(surfaces.surfaces.size());
   std::vector<SurfacePair> pairs;
   auto adjacency = surfaces.adjacencies.begin();
-  for (int a = 0; a < count; ++a) {
-    if (!large(a)) continue;
-    for (int b = a + 1; b < count; ++b) {
-      if (!large(b)) continue;
-      while (adjacency != surfaces.adjacencies.end() && std::pair(adjacency->a, adjacency->b) < std::pair(a, b))
-        ++adjacency;
-      const bool touch = adjacency != surfaces.adjacencies.end() && adjacency->a == a && adjacency->b == b;
-      if (!touch || adjacency->border_3d.empty()) pairs.push_back({a, b, touch ? &*adjacency : nullptr});
-    }
+  for (const auto& [first, second] : paired(surfaces, minimum_size)) {
+    const int a = int(first), b = int(second);
+    while (adjacency != surfaces.adjacencies.end() && std::pair(adjacency->a, adjacency->b) < std::pair(a, b))
+      ++adjacency;
+    const bool touch = adjacency != surfaces.adjacencies.end() && adjacency->a == a && adjacency->b == b;
+    if (!touch || adjacency->border_3d.empty()) pairs.push_back({a, b, touch ? &*adjacency : nullptr});
   }
   return pairs;
+}
+
+std::size_t omitted_pairs(const SurfaceSet& surfaces, double minimum_size) {
+  const std::size_t large = large_surfaces(surfaces, minimum_size).size();
+  const std::size_t all = large * (large - std::min<std::size_t>(large, 1)) / 2;
+  if (all <= most_assembly_pairs) return 0;
+  return all - neighbour_pairs(surfaces, minimum_size).size() - non_neighbour_pairs(surfaces, minimum_size).size();
 }
 
 Measures::Measures(const Scene& scene, const std::vector<NamedRelation>& relations)

@@ -45,17 +45,22 @@ GESTALT_EXPORT bool large_enough(const SurfaceSet& surfaces, int surface, double
 /// Structural level: the pairs of 3D neighbours of which both have at least minimum_size pixels, sorted by (a, b).
 GESTALT_EXPORT std::vector<SurfacePair> neighbour_pairs(const SurfaceSet& surfaces, double minimum_size);
 
-/// Surfaces that pairs of the assembly level are made of, at most: 200,000 pairs. Their number grows by the square, and
+/// Pairs of the assembly level, at most; all those of 632 surfaces are fewer. Their number grows by the square, and
 /// with it time, memory and result.json.
-constexpr std::size_t most_paired_surfaces = 632;
+constexpr std::size_t most_assembly_pairs = 200'000;
+
+/// Surfaces that they are made of, at most, where there are more pairs than that.
+constexpr std::size_t most_paired_surfaces = 4000;
 
 /// Assembly level: all other pairs of surfaces of which both have at least minimum_size pixels, sorted by (a, b). Their
 /// border is null unless they touch in the image.
-/// Where more than most_paired_surfaces are large enough, the largest of them, the first of equal ones.
+/// Where that would be more than most_assembly_pairs: of the most_paired_surfaces largest (the first of equal ones)
+/// each with those that are nearest to it, by their mean pixels, for one half, and the largest ones with each other for
+/// the other half.
 GESTALT_EXPORT std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, double minimum_size);
 
-/// How many are large enough, and left out by non_neighbour_pairs() all the same.
-GESTALT_EXPORT std::size_t unpaired_surfaces(const SurfaceSet& surfaces, double minimum_size);
+/// How many pairs it has left out that way.
+GESTALT_EXPORT std::size_t omitted_pairs(const SurfaceSet& surfaces, double minimum_size);
 
 /// Relations bound to one scene, each once for whatever level asks for it.
 class GESTALT_EXPORT Measures {

@@ -7,6 +7,7 @@
 
 #include <atomic>
 #include <cmath>
+#include <set>
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/pipeline/learning_set.h"
@@ -113,22 +114,36 @@ TEST(Pairs, OfTheStructuralLevelAreNeighboursIn3D) {
   EXPECT_FALSE(pairs[0].border->border_3d.empty());
 }
 
+/// Single pixels in a row, far from each other, of which every hundredth has a size of 20.
+SurfaceSet dots(std::size_t count) {
+  SurfaceSet surfaces;
+  surfaces.labels = cv::Mat_<int>(1, int(count));
+  surfaces.surfaces.resize(count);
+  for (std::size_t i = 0; i < count; ++i) surfaces.surfaces[i].pixels.assign(i % 100 ? 10 : 20, int(i));
+  return surfaces;
+}
+
 // The number of pairs is bounded, whatever the number of surfaces.
-TEST(Pairs, OfTheAssemblyLevelAreThoseOfTheLargestSurfaces) {
-  const auto pairs_of = [](std::size_t count) {
-    SurfaceSet surfaces;
-    surfaces.surfaces.resize(count);
-    for (std::size_t i = 0; i < count; ++i) surfaces.surfaces[i].pixels.resize(i < 3 ? 10 : 20);
-    return std::pair(non_neighbour_pairs(surfaces, 10), unpaired_surfaces(surfaces, 10));
-  };
-  const std::size_t most = most_paired_surfaces * (most_paired_surfaces - 1) / 2;
-  for (const std::size_t count : {most_paired_surfaces, most_paired_surfaces + 3, 2 * most_paired_surfaces}) {
-    const auto [pairs, unpaired] = pairs_of(count);
-    EXPECT_EQ(pairs.size(), most);
-    EXPECT_EQ(unpaired, count - most_paired_surfaces);
-    EXPECT_EQ(pairs.front().a, count == most_paired_surfaces ? 0 : 3) << "the three small ones are left out first";
+TEST(Pairs, OfTheAssemblyLevelAreThoseOfTheNearestAndTheLargest) {
+  for (const std::size_t count : {100, 632}) {
+    EXPECT_EQ(non_neighbour_pairs(dots(count), 10).size(), count * (count - 1) / 2);
+    EXPECT_EQ(omitted_pairs(dots(count), 10), 0u);
   }
-  EXPECT_EQ(pairs_of(100).first.size(), 4950u);
+  for (const std::size_t count : {std::size_t{634}, std::size_t{1500}, most_paired_surfaces, std::size_t{6000}}) {
+    const auto pairs = non_neighbour_pairs(dots(count), 10);
+    EXPECT_LE(pairs.size(), most_assembly_pairs);
+    EXPECT_GE(pairs.size(), most_assembly_pairs / 2);
+    EXPECT_EQ(omitted_pairs(dots(count), 10), count * (count - 1) / 2 - pairs.size());
+    std::set<std::pair<int, int>> all;
+    for (const SurfacePair& pair : pairs) {
+      EXPECT_LT(pair.a, pair.b);
+      all.insert({pair.a, pair.b});
+    }
+    EXPECT_EQ(all.size(), pairs.size());
+    EXPECT_EQ(all.count({0, int(count - 1) / 100 * 100}), 1u) << "large ones, far apart";
+    for (int i = 0; i + 10 < int(std::min(count, most_paired_surfaces - 100)); ++i)
+      EXPECT_EQ(all.count({i, i + 10}), 1u) << "small ones, near each other";
+  }
 }
 
 TEST(Pairs, OfTheAssemblyLevelAreAllOthers) {

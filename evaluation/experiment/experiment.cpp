@@ -301,7 +301,7 @@ std::vector<CategoryScore> category_scores(const std::vector<ImageScore>& scores
 }
 
 std::vector<ExperimentOutcome> run_experiments(const std::vector<Variant>& variants, const Registry& registry,
-                                               const Protocol& protocol, const fs::path& store,
+                                               const Protocol& protocol, const OutputPath& store,
                                                const ExperimentEvents& events) {
   const SceneSet set(protocol);
   const std::string scenes = canonical(set);

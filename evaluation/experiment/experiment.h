@@ -10,6 +10,7 @@
 #include <string>
 #include <vector>
 
+#include "gestalt/core/base/output_file.h"
 #include "gestalt/core/config/config.h"
 #include "gestalt/core/plugin/registry.h"
 #include "gestalt/evaluation/score/cross_validation.h"
@@ -133,7 +134,7 @@ struct ExperimentOutcome {
 /// the other variants. Throws InputError when a scene cannot be used, ConfigError for folds that cannot be dealt,
 /// OutputError.
 std::vector<ExperimentOutcome> run_experiments(const std::vector<Variant>& variants, const Registry& registry,
-                                               const Protocol& protocol, const std::filesystem::path& store,
+                                               const Protocol& protocol, const OutputPath& store,
                                                const ExperimentEvents& events = {});
 
 }  // namespace gestalt

@@ -152,22 +152,23 @@ Json to_json(const ExperimentResult& result) {
           {"further", list_json(result.further)}};
 }
 
-ResultFile::ResultFile(const std::filesystem::path& store, std::string key)
+ResultFile::ResultFile(const OutputPath& store, std::string key)
     : key_(std::move(key)), file_(store / (digest(key_) + ".json")) {}
 
 std::optional<ExperimentResult> ResultFile::read(const std::function<void(const std::string&)>& warning) const {
+  const std::filesystem::path file = file_.path();
   std::error_code error;
-  if (!std::filesystem::exists(file_, error)) return std::nullopt;
+  if (!std::filesystem::exists(file, error)) return std::nullopt;
   try {
-    const std::string text = read_bytes(file_, largest_json);
-    parse_json(file_.string(), text);
+    const std::string text = read_bytes(file, largest_json);
+    parse_json(file.string(), text);
     const Json json = Json::parse(text);  // in its order, which the checksum is of
     if (json.at("format") != format_name) throw Error("it is no result of an experiment");
     if (json.at("key") != key_) throw Error("it belongs to another experiment");
     if (json.at("checksum") != digest(json.at("result").dump())) throw Error("its checksum is wrong");
     return result_of(json.at("result"));
   } catch (const std::exception& reason) {
-    if (warning) warning(file_.string() + ": is damaged and is computed again: " + reason.what());
+    if (warning) warning(file.string() + ": is damaged and is computed again: " + reason.what());
     return std::nullopt;
   }
 }

@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <string>
 
+#include "gestalt/core/base/output_file.h"
 #include "gestalt/evaluation/experiment/experiment.h"
 
 namespace gestalt {
@@ -13,7 +14,7 @@ namespace gestalt {
 /// checksum.
 class ResultFile {
  public:
-  ResultFile(const std::filesystem::path& store, std::string key);
+  ResultFile(const OutputPath& store, std::string key);
 
   /// Nothing when there is no file, or, after a warning, when it is damaged.
   std::optional<ExperimentResult> read(const std::function<void(const std::string&)>& warning) const;
@@ -23,7 +24,7 @@ class ResultFile {
 
  private:
   std::string key_;
-  std::filesystem::path file_;
+  OutputPath file_;
 };
 
 }  // namespace gestalt

@@ -137,7 +137,8 @@ GESTALT_EXPORT void require_objects(std::int64_t objects);
 GESTALT_EXPORT bool has_prediction(const std::filesystem::path& folder, const std::string& scene,
                                    const std::string& image);
 
-/// That image. Throws InputError when it is missing, or of another size than the scene's ground truth.
+/// That image. Throws InputError when it is missing, of another size than the scene's ground truth, or of
+/// another run than the result.json beside it.
 GESTALT_EXPORT cv::Mat_<std::uint16_t> read_prediction(const std::filesystem::path& folder, const std::string& scene,
                                                        const std::string& image, cv::Size size);
 

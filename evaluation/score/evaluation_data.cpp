@@ -9,6 +9,7 @@
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
 #include "gestalt/evaluation/score/evaluation.h"
+#include "gestalt/io/result/result_digests.h"
 #include "gestalt/io/scene/ground_truth.h"
 #include "gestalt/io/scene/png_file.h"
 
@@ -83,6 +84,7 @@ cv::Mat_<std::uint16_t> read_prediction(const std::filesystem::path& folder, con
     throw InputError(in_folder.string() + ": is missing, and so is " + beside.filename().string() +
                      "; every scene needs a prediction");
   const std::filesystem::path& file = std::filesystem::is_regular_file(in_folder) ? in_folder : beside;
+  require_of_its_result(file);
   cv::Mat_<std::uint16_t> labels = read_label_image(file);
   if (labels.size() != size)
     throw InputError(file.string() + ": has " + std::to_string(labels.cols) + "x" + std::to_string(labels.rows) +

@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <opencv2/imgproc.hpp>
 
+#include "gestalt/core/base/digest.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/isolated.h"
 #include "gestalt/core/base/output_file.h"
@@ -151,7 +152,7 @@ Json result_json(const Input& input, const SegmentedFrame& found, const Json& co
                 {"decision", times.decision},
                 {"total", times.total()}}},
               {"config", config}};
-  if (percept.unpaired > 0) result["unpaired"] = percept.unpaired;
+  if (percept.omitted_pairs > 0) result["omitted_pairs"] = percept.omitted_pairs;
   return result;
 }
 
@@ -165,7 +166,7 @@ void write_result(const OutputPath& folder, const Input& input, const SegmentedF
   if (!input.cloud.empty()) files.push_back({folder / "labels.pcd", point_labels(input, segmentation.labels)});
   std::move(more.begin(), more.end(), std::back_inserter(files));
   Json result = result_json(input, found, config);
-  for (const OutputFile& file : files) result["files"].push_back(file.file.path().filename().string());
+  for (const auto& [file, bytes] : files) result["files"][file.path().filename().string()] = digest(bytes);
   // A scene's name comes from a path, which may be no UTF-8.
   write_files(files, {folder / "result.json", result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"});
 }

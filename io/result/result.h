@@ -52,7 +52,8 @@ GESTALT_EXPORT cv::Mat draw_graph(const Frame& frame, const SurfaceSet& surfaces
 /// Writes labels.png, objects.png (the same with background at 0), overlay.png, patches.png and result.json, for
 /// unorganized clouds also labels.pcd (x y z label, the original points in their order; label 0 = in no segment), into
 /// a folder, and the files in more: all of them or, with OutputError, none. result.json comes last, and an old one is
-/// removed first: where it is, all files are and belong together.
+/// removed first: where it is, all files are and belong together. It has their digests, by which readers see it where
+/// somebody else has changed one.
 GESTALT_EXPORT void write_result(const OutputPath& folder, const Input& input, const SegmentedFrame& found,
                                  const nlohmann::json& config, std::vector<OutputFile> more = {});
 

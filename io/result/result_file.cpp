@@ -11,6 +11,7 @@
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/json_file.h"
 #include "gestalt/core/pipeline/model_fields.h"
+#include "gestalt/io/result/result_digests.h"
 
 namespace gestalt {
 
@@ -200,7 +201,9 @@ json read_result_content(const fs::path& file) {
 
 StoredResult read_result(const fs::path& file) {
   const json content = read_result_content(file);
-  return of_file(file, [&] { return read(content); });
+  StoredResult result = of_file(file, [&] { return read(content); });
+  result.warning = warning_of_foreign_files(file, content);
+  return result;
 }
 
 Mesh triangulate(const StoredResult& result, const StoredResult::Segment& segment, double tolerance,

@@ -23,6 +23,7 @@ struct StoredResult {
   std::string scene;
   std::vector<Segment> segments;
   std::vector<TrimmedSurface> patches;
+  std::string warning;  ///< of files that lie beside it and are of another run; "" where there are none
 };
 
 /// Reads a result.json, which may come from a stranger: everything in it is checked before it is used. Throws

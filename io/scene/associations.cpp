@@ -7,8 +7,12 @@
 #include <array>
 #include <charconv>
 #include <cmath>
+#include <functional>
+#include <map>
+#include <queue>
 #include <sstream>
 #include <string>
+#include <tuple>
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
@@ -21,7 +25,9 @@ namespace fs = std::filesystem;
 namespace {
 
 constexpr std::uintmax_t largest_list = std::uintmax_t{1} << 28;  // bytes
-constexpr double longest_difference = 0.02;                       // s, of the association of TUM's benchmark
+constexpr std::size_t most_images = 1'000'000;                    // nine hours at 30 a second
+constexpr const char* too_many = ": the list names more than 1000000 images; divide the recording";
+constexpr double longest_difference = 0.02;  // s, of the association of TUM's benchmark
 
 struct Stamped {
   double time;
@@ -54,6 +60,7 @@ void read_lines(const fs::path& list, const Line& line) {
 std::vector<Stamped> read_list(const fs::path& folder, const char* name) {
   std::vector<Stamped> images;
   read_lines(folder / name, [&](const auto& words, const std::string& place) {
+    if (images.size() == most_images) throw InputError(place + too_many);
     images.push_back(stamped(words, 0, folder, place, "timestamp filename"));
   });
   if (images.empty()) throw InputError((folder / name).string() + ": names no image");
@@ -70,6 +77,62 @@ std::vector<FrameFiles> in_order_of_time(std::vector<Timed> timed) {
   return pairs;
 }
 
+/// Images of both kinds in order of time; of those of one time the first of each kind, then the second of each.
+struct Moment {
+  double time;
+  std::size_t rank;  ///< among those of its kind and time
+  bool is_depth;
+  std::size_t image;  ///< in its list
+};
+
+std::vector<Moment> in_order_of_time(const std::vector<Stamped>& depths, const std::vector<Stamped>& colours) {
+  std::vector<Moment> moments;
+  for (const bool is_depth : {true, false}) {
+    std::map<double, std::size_t> ranks;
+    const std::vector<Stamped>& images = is_depth ? depths : colours;
+    for (std::size_t i = 0; i < images.size(); ++i)
+      moments.push_back({images[i].time, ranks[images[i].time]++, is_depth, i});
+  }
+  std::sort(moments.begin(), moments.end(), [](const Moment& a, const Moment& b) {
+    return std::tuple(a.time, a.rank, !a.is_depth) < std::tuple(b.time, b.rank, !b.is_depth);
+  });
+  return moments;
+}
+
+/// Depth and colour images, the nearest in time first, each in one pair at most. Two of all that are left can be
+/// nearest only where they are beside each other in order of time, so that there is one candidate for each image.
+std::vector<std::pair<std::size_t, std::size_t>> nearest_in_time(const std::vector<Stamped>& depths,
+                                                                 const std::vector<Stamped>& colours) {
+  const std::vector<Moment> moments = in_order_of_time(depths, colours);
+  const std::size_t end = moments.size();
+  std::vector<std::size_t> before(end), after(end);  // of those that are left
+  for (std::size_t i = 0; i < end; ++i) before[i] = i == 0 ? end : i - 1, after[i] = i + 1;
+  using Candidate = std::tuple<double, std::size_t, std::size_t>;  // difference, the earlier one, the later one
+  std::priority_queue<Candidate, std::vector<Candidate>, std::greater<>> candidates;
+  const auto consider = [&](std::size_t i, std::size_t j) {
+    if (i == end || j == end || moments[i].is_depth == moments[j].is_depth) return;
+    const auto [depth, colour] =
+        moments[i].is_depth ? std::pair(moments[i].time, moments[j].time) : std::pair(moments[j].time, moments[i].time);
+    if (colour >= depth - longest_difference && colour < depth + longest_difference)
+      candidates.push({std::abs(colour - depth), i, j});
+  };
+  for (std::size_t i = 0; i + 1 < end; ++i) consider(i, i + 1);
+  std::vector<bool> used(end);
+  std::vector<std::pair<std::size_t, std::size_t>> pairs;
+  while (!candidates.empty()) {
+    const auto [difference, i, j] = candidates.top();
+    candidates.pop();
+    if (used[i] || used[j]) continue;
+    used[i] = used[j] = true;
+    pairs.emplace_back(moments[moments[i].is_depth ? i : j].image, moments[moments[i].is_depth ? j : i].image);
+    const std::size_t left = before[i], right = after[j];
+    if (left != end) after[left] = right;
+    if (right != end) before[right] = left;
+    consider(left, right);
+  }
+  return pairs;
+}
+
 fs::path list_of_pairs(const fs::path& folder) {
   std::error_code ignored;
   for (const char* name : {"associations.txt", "association.txt", "associate.txt", "associated.txt"})
@@ -80,6 +143,7 @@ fs::path list_of_pairs(const fs::path& folder) {
 std::vector<FrameFiles> listed_pairs(const fs::path& list, const fs::path& folder) {
   std::vector<Timed> pairs;
   read_lines(list, [&](const auto& words, const std::string& place) {
+    if (pairs.size() == most_images) throw InputError(place + too_many);
     const char* const expected = "time rgb/FILE time depth/FILE";
     std::array<Stamped, 2> both{stamped(words, 0, folder, place, expected), {}};
     if (words.size() < 4) throw InputError(place + ": expected '" + expected + "'");
@@ -106,32 +170,9 @@ bool has_associations(const fs::path& folder) {
 std::vector<FrameFiles> associated_images(const fs::path& folder) {
   if (const fs::path list = list_of_pairs(folder); !list.empty()) return listed_pairs(list, folder);
   const std::vector<Stamped> colours = read_list(folder, "rgb.txt"), depths = read_list(folder, "depth.txt");
-  struct Match {
-    double difference;
-    std::size_t depth, colour;
-  };
-  std::vector<std::size_t> by_time(colours.size());
-  for (std::size_t i = 0; i < by_time.size(); ++i) by_time[i] = i;
-  std::sort(by_time.begin(), by_time.end(),
-            [&](std::size_t a, std::size_t b) { return colours[a].time < colours[b].time; });
-  std::vector<Match> matches;
-  for (std::size_t d = 0; d < depths.size(); ++d) {
-    const double first = depths[d].time - longest_difference;
-    auto c = std::lower_bound(by_time.begin(), by_time.end(), first,
-                              [&](std::size_t colour, double time) { return colours[colour].time < time; });
-    for (; c != by_time.end() && colours[*c].time < depths[d].time + longest_difference; ++c)
-      matches.push_back({std::abs(colours[*c].time - depths[d].time), d, *c});
-  }
-  // The nearest in time first; each image is in one pair at most.
-  std::stable_sort(matches.begin(), matches.end(),
-                   [](const Match& a, const Match& b) { return a.difference < b.difference; });
-  std::vector<bool> colour_used(colours.size()), depth_used(depths.size());
   std::vector<Timed> pairs;
-  for (const Match& match : matches) {
-    if (colour_used[match.colour] || depth_used[match.depth]) continue;
-    colour_used[match.colour] = depth_used[match.depth] = true;
-    pairs.push_back({depths[match.depth].time, {depths[match.depth].file, colours[match.colour].file}});
-  }
+  for (const auto& [depth, colour] : nearest_in_time(depths, colours))
+    pairs.push_back({depths[depth].time, {depths[depth].file, colours[colour].file}});
   if (pairs.empty())
     throw InputError(folder.string() +
                      ": no colour image is within 0.02 s of a depth image; check rgb.txt and depth.txt");

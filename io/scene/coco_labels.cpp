@@ -30,13 +30,27 @@ double number(const json& value) {
   return value.get<double>();
 }
 
+/// What drawing all objects of a file may still cost: a few bytes can have every pixel of a large image drawn, again
+/// and again.
+struct Budget {
+  std::int64_t steps = std::int64_t{1} << 30;
+
+  void spend(std::int64_t count) {
+    steps -= count;
+    if (steps < 0)
+      fail("has objects of so many corners and pixels that drawing them would not end; keep those of this image, and " +
+           std::string("smaller ones"));
+  }
+};
+
 /// Pixels column by column, outside and inside in turn.
-void fill_runs(Mask& mask, const std::vector<std::int64_t>& runs) {
+void fill_runs(Mask& mask, const std::vector<std::int64_t>& runs, Budget& budget) {
   std::int64_t pixel = 0;
   const auto all = std::int64_t(mask.total());
   bool inside = false;
   for (const std::int64_t run : runs) {
     if (run < 0 || run > all - pixel) fail("its counts are more than the image's pixels");
+    if (inside) budget.spend(run);
     if (inside)
       for (std::int64_t i = pixel; i < pixel + run; ++i) mask(int(i % mask.rows), int(i / mask.rows)) = 255;
     pixel += run;
@@ -69,12 +83,13 @@ std::vector<std::int64_t> unpack(const std::string& text) {
 }
 
 /// The pixels whose centres lie in the polygon; coordinates count from a pixel's corner.
-void fill_polygon(Mask& mask, const json& polygon) {
+void fill_polygon(Mask& mask, const json& polygon, Budget& budget) {
   if (polygon.size() < 6 || polygon.size() % 2)
     fail("a polygon must have three corners or more, as x1, y1, x2, y2, ...");
   std::vector<cv::Point2d> corners;
   for (std::size_t i = 0; i < polygon.size(); i += 2) corners.emplace_back(number(polygon[i]), number(polygon[i + 1]));
   std::vector<double> crossings;
+  budget.spend(std::int64_t(corners.size()) * mask.rows);
   for (int v = 0; v < mask.rows; ++v) {
     const double y = v + 0.5;
     crossings.clear();
@@ -87,17 +102,20 @@ void fill_polygon(Mask& mask, const json& polygon) {
     for (std::size_t i = 0; i + 1 < crossings.size(); i += 2) {
       const int first = int(std::clamp(std::ceil(crossings[i] - 0.5), 0.0, double(mask.cols)));
       const int last = int(std::clamp(std::ceil(crossings[i + 1] - 0.5), 0.0, double(mask.cols)));
+      budget.spend(std::max(0, last - first));
       for (int u = first; u < last; ++u) mask(v, u) = 255;
     }
   }
 }
 
-Mask mask_of(const json& segmentation, cv::Size size) {
+Mask mask_of(const json& segmentation, cv::Size size, Budget& budget) {
+  constexpr int at_once = 16;  // bytes that are cleared in a step
+  budget.spend(size.area() / at_once);
   Mask mask(size, std::uint8_t{0});
   if (segmentation.is_array()) {
     for (const json& polygon : segmentation) {
       if (!polygon.is_array()) fail("a polygon must be a list of numbers");
-      fill_polygon(mask, polygon);
+      fill_polygon(mask, polygon, budget);
     }
     return mask;
   }
@@ -117,7 +135,7 @@ Mask mask_of(const json& segmentation, cv::Size size) {
   } else {
     fail("its counts are neither a list nor a text");
   }
-  fill_runs(mask, runs);
+  fill_runs(mask, runs, budget);
   return mask;
 }
 
@@ -148,6 +166,7 @@ cv::Mat_<int> read_coco_labels(const fs::path& file, cv::Size size, const std::s
   const json id = image_id(content, size, stem);
   std::vector<std::pair<int, int>> areas;  // of each object, with its number
   std::vector<const json*> segmentations;
+  Budget budget;
   int number = 0;
   for (const json& annotation : content.at("annotations")) {
     if (!annotation.is_object() || annotation.value("image_id", json()) != id) continue;
@@ -157,7 +176,7 @@ cv::Mat_<int> read_coco_labels(const fs::path& file, cv::Size size, const std::s
     segmentations.push_back(&annotation);
     ++number;
     try {
-      areas.emplace_back(-cv::countNonZero(mask_of(annotation.value("segmentation", json()), size)), number);
+      areas.emplace_back(-cv::countNonZero(mask_of(annotation.value("segmentation", json()), size, budget)), number);
     } catch (const InputError& error) {
       fail("annotation " + std::to_string(number) + ": " + error.what());
     }
@@ -165,7 +184,7 @@ cv::Mat_<int> read_coco_labels(const fs::path& file, cv::Size size, const std::s
   std::stable_sort(areas.begin(), areas.end(), [](const auto& a, const auto& b) { return a.first < b.first; });
   cv::Mat_<int> labels(size, 0);
   for (const auto& [area, object] : areas)
-    labels.setTo(object, mask_of(segmentations[std::size_t(object - 1)]->at("segmentation"), size));
+    labels.setTo(object, mask_of(segmentations[std::size_t(object - 1)]->at("segmentation"), size, budget));
   return labels;
 } catch (const InputError& error) {
   const std::string what = error.what();

@@ -74,38 +74,51 @@ void write_camera(const Camera& camera, const OutputPath& folder) {
   const std::string text = camera_text(camera);
   const OutputPath output = folder / "camera.yaml";
   const fs::path file = output.path();
-  if (fs::exists(file) && read_bytes(file, largest_text) != text)
-    throw OutputError(file.string() + ": the folder holds scenes of another camera; choose another --output");
-  write_files({{output, text}});
+  update_file(output, [&] {
+    if (fs::exists(file) && read_bytes(file, largest_text) != text)
+      throw OutputError(file.string() + ": the folder holds scenes of another camera; choose another --output");
+    return text;
+  });
 }
 
-void merge_categories(const OutputPath& output, const std::map<std::string, std::string>& category_of_scene) {
-  const fs::path file = output.path();
-  static const std::string header = "scene,category";
+namespace {
+
+constexpr const char* categories_header = "scene,category";
+
+/// The categories by scene of a file of merge_categories(); none where there is no file.
+std::map<std::string, std::string> read_rows(const fs::path& file) {
   std::map<std::string, std::string> rows;
-  if (fs::exists(file)) {
-    std::istringstream in(read_bytes(file, largest_text));
-    std::string line;
-    for (int number = 1; std::getline(in, line); ++number) {
-      if (!line.empty() && line.back() == '\r') line.pop_back();
-      const auto fail = [&](const std::string& why) {
-        throw InputError(file.string() + ":" + std::to_string(number) + ": " + why +
-                         "; correct the file or choose another --output");
-      };
-      if (number == 1) {
-        if (line != header)
-          fail(std::string("expected the header '").append(header).append("', found '").append(line).append("'"));
-      } else if (!line.empty()) {
-        const std::size_t comma = line.find(',');
-        if (comma == std::string::npos || comma == 0) fail("expected 'scene,category', found '" + line + "'");
-        rows[line.substr(0, comma)] = line.substr(comma + 1);
-      }
+  if (!fs::exists(file)) return rows;
+  std::istringstream in(read_bytes(file, largest_text));
+  std::string line;
+  for (int number = 1; std::getline(in, line); ++number) {
+    if (!line.empty() && line.back() == '\r') line.pop_back();
+    const auto fail = [&](const std::string& why) {
+      throw InputError(file.string() + ":" + std::to_string(number) + ": " + why +
+                       "; correct the file or choose another --output");
+    };
+    if (number == 1) {
+      if (line != categories_header)
+        fail(std::string("expected the header '").append(categories_header).append("', found '").append(line) + "'");
+    } else if (!line.empty()) {
+      const std::size_t comma = line.find(',');
+      if (comma == std::string::npos || comma == 0) fail("expected 'scene,category', found '" + line + "'");
+      rows[line.substr(0, comma)] = line.substr(comma + 1);
     }
   }
-  for (const auto& [scene, category] : category_of_scene) rows[scene] = category;
-  std::string text = header + '\n';
-  for (const auto& [scene, category] : rows) text.append(scene).append(",").append(category).append("\n");
-  write_files({{output, text}});
+  return rows;
+}
+
+}  // namespace
+
+void merge_categories(const OutputPath& output, const std::map<std::string, std::string>& category_of_scene) {
+  update_file(output, [&] {
+    std::map<std::string, std::string> rows = read_rows(output.path());
+    for (const auto& [scene, category] : category_of_scene) rows[scene] = category;
+    std::string text = std::string(categories_header) + '\n';
+    for (const auto& [scene, category] : rows) text.append(scene).append(",").append(category).append("\n");
+    return text;
+  });
 }
 
 }  // namespace gestalt

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """The same results as the command's, as arrays."""
 
+import concurrent.futures
 import json
 import os
 import pathlib
@@ -44,6 +45,22 @@ class PipelineTest(unittest.TestCase):
             self.assertEqual({file.name for file in pathlib.Path(out, "saved").iterdir()}, written)
             for name in ("labels.png", "overlay.png", "patches.png"):
                 self.assertEqual(pathlib.Path(out, demo.name, name).read_bytes(), pathlib.Path(out, "saved", name).read_bytes())
+
+    def test_what_many_threads_save_into_one_folder_is_of_one_of_them(self):
+        def saved(folder):
+            files = json.loads((folder / "result.json").read_text())["files"]
+            self.assertEqual({file.name for file in folder.iterdir()}, {*files, "result.json"})
+            return {name: (folder / name).read_bytes() for name in files}
+
+        results = [self.result, self.segmenter(self.scene.colour, self.scene.depth * 1.2, self.scene.camera)]
+        with tempfile.TemporaryDirectory() as work, concurrent.futures.ThreadPoolExecutor(16) as threads:
+            out, alone = pathlib.Path(work, "out"), pathlib.Path(work, "alone")
+            expected = [result.save(alone) or saved(alone) for result in results]
+            self.assertNotEqual(*expected)
+            for _ in range(3):
+                for one in [threads.submit(results[i % 2].save, out) for i in range(16)]:
+                    one.result()
+                self.assertIn(saved(out), expected)
 
     def test_a_result_shares_nothing_that_can_be_changed(self):
         untouched = self.result.to_dict()

@@ -35,6 +35,20 @@ class Ablation : public testing::Test {
   const TemporaryFolder folder;
 };
 
+TEST_F(Ablation, LinksInTheOutputAreNotFollowed) {
+  const fs::path elsewhere = folder.path() / "elsewhere";
+  fs::create_directories(elsewhere);
+  fs::create_directories(folder.path() / "out");
+  fs::create_directory_symlink(elsewhere, out("results"));
+  expect_refused(ablate({"--grid", "structural.minimum_size=30"}), 1,
+                 {"results: is a link", "choose another --output"});
+  EXPECT_TRUE(fs::is_empty(elsewhere));
+  fs::remove(out("results"));
+  fs::create_symlink(folder.write("precious", "mine"), out("ablation.csv"));
+  expect_success(ablate({"--grid", "structural.minimum_size=30"}));
+  EXPECT_EQ(content(folder.path() / "precious"), "mine");
+}
+
 TEST_F(Ablation, ScoresOfVariantsAreThoseOfTheirOwnRuns) {
   const Outcome outcome =
       ablate({"--each", "structural.relations", "--grid", "structural.minimum_size=30,90", "--json"});

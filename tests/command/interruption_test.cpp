@@ -96,9 +96,9 @@ TEST_F(Interrupted, ASignalEndsTheOnlySceneWithAWholeResultOrNone) {
 
 TEST_F(Interrupted, AKilledBatchIsResumed) {
   EXPECT_EQ(segment_and_send(SIGKILL).code, 128 + SIGKILL);
-  // What a write that was under way leaves: no process has so large a number.
+  // What a write that was under way leaves.
   fs::create_directories(out / names[1]);
-  std::ofstream(out / names[1] / "labels.png.tmp999999999") << "half";
+  std::ofstream(out / names[1] / ".gestalt-0123456789abcdef.tmp") << "half";
   EXPECT_GE(left_alone(), 1);
   expect_results_of_an_undisturbed_run();
 }

@@ -149,6 +149,23 @@ TEST(DefaultSegmenter, EndsAFrameWhoseTimeIsOver) {
   }
 }
 
+TEST(DefaultSegmenter, HasAMinuteForAFrameWhereNoConfigSaysOtherwise) {
+  EXPECT_EQ(Segmenter(default_config()).config().time_budget, 60'000);
+  EXPECT_EQ(Segmenter(default_config(), {"time_budget=0"}).config().time_budget, 0);
+}
+
+TEST(DefaultSegmenter, RefusesAFrameOfTooManyPixels) {
+  Frame frame;
+  frame.name = "flat";
+  frame.depth = cv::Mat_<float>::zeros(4097, 4096);
+  try {
+    Segmenter(default_config()).segment(frame);
+    FAIL() << "a frame of 4096x4097 pixels";
+  } catch (const InputError& error) {
+    EXPECT_NE(std::string(error.what()).find("flat: has 4096x4097 pixels"), std::string::npos) << error.what();
+  }
+}
+
 TEST(DefaultSegmenter, GivesTheSameWithTimeToSpare) {
   const Frame frame = scene(Category::mixed_objects).frame;
   expect_equal(run(Segmenter(default_config(), {"time_budget=" + std::to_string(hour)}), frame),

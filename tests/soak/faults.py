@@ -45,7 +45,7 @@ def full_disk(scratch, times, count):
             tally.fault("wrong exit codes", f"no word of what cannot be written: {error}")
         if (scratch / "out").exists():
             check_whole(tally, scratch / "out", reference)
-            if left := list((scratch / "out").rglob("*.tmp*")):
+            if left := list((scratch / "out").rglob(".gestalt-*")):
                 tally.fault("lost or half-written", f"{left[0].name} is left")
     return tally
 

@@ -93,7 +93,7 @@ def signals(scratch, times, scenes_count):
         tally.judge(code, error, {128 + how, -how, 0})  # the last two: before it listens, after all is done
         if out.exists():
             check_whole(tally, out, reference)
-            if left := list(out.rglob("*.tmp*")):
+            if left := list(out.rglob(".gestalt-*")):
                 tally.fault("lost or half-written", f"{left[0].name} is left")
         code, error = run([command(), "segment", scenes, "--output", out, "--resume"])
         if code != 0:
