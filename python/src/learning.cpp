@@ -8,6 +8,7 @@
 
 #include "arrays.h"
 #include "components.h"
+#include "core_call.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/for_all.h"
 #include "gestalt/core/pipeline/learning_set.h"
@@ -39,6 +40,7 @@ struct PerceivedScenes {
 PerceivedScenes perceive(const Pipeline& pipeline, const std::vector<fs::path>& scenes, const ReadOptions& options) {
   PerceivedScenes perceived{std::vector<LearningScene>(scenes.size()), std::vector<Labels>(scenes.size())};
   for_all(scenes.size(), [&](std::size_t i) {
+    require_interpreter();
     const Input input = read_scene(scenes[i], options);
     perceived.ground_truth[i] = scored_ground_truth(input);
     perceived.scenes[i] = make_learning_scene(pipeline, input.frame, input.ground_truth);
@@ -94,6 +96,7 @@ py::object cross_validate(const py::object& scenes, int folds, std::uint64_t see
     const std::vector<Models> models = learn_folds(pipeline, perceived.pointers(), fold, count, additional.pointers());
     std::vector<ImageScore> scores(all.size());
     for_all(all.size(), [&](std::size_t i) {
+      require_interpreter();
       const Models& theirs = models[std::size_t(fold[i])];
       scores[i] = score_image(perceived.ground_truth[i], pipeline.decide(perceived.scenes[i].percept, theirs).labels);
     });
@@ -126,23 +129,23 @@ py::object score(const py::array& ground_truth, const py::array& labels) {
 }  // namespace
 
 void bind_learning(py::module_& module) {
-  module.def("train", &train, py::arg("scenes"), py::arg("output"), py::arg("config") = py::none(),
+  module.def("train", &train, Computing(), py::arg("scenes"), py::arg("output"), py::arg("config") = py::none(),
              py::arg("overrides") = std::vector<std::string>{}, py::kw_only(), py::arg("components") = py::none(),
              py::arg("threads") = 0, py::arg("depth_scale") = py::none(),
              R"(Learns from scenes with ground truth and writes the model file output.
 
 scenes: folders of scenes, one or many. Returns of each level the classifier, the values, and how many pairs it saw.
 Use the model with overrides=["model=..."].)");
-  module.def("cross_validate", &cross_validate, py::arg("scenes"), py::arg("folds") = 5, py::arg("seed") = 0,
-             py::arg("config") = py::none(), py::arg("overrides") = std::vector<std::string>{}, py::kw_only(),
-             py::arg("leave_one_out") = py::none(), py::arg("also_train") = py::tuple(),
+  module.def("cross_validate", &cross_validate, Computing(), py::arg("scenes"), py::arg("folds") = 5,
+             py::arg("seed") = 0, py::arg("config") = py::none(), py::arg("overrides") = std::vector<std::string>{},
+             py::kw_only(), py::arg("leave_one_out") = py::none(), py::arg("also_train") = py::tuple(),
              py::arg("components") = py::none(), py::arg("threads") = 0, py::arg("depth_scale") = py::none(),
              R"(Trains on all folds of the scenes but one and scores that one, for each.
 
 leave_one_out: "category" or "set", each of which is then a fold; folds and seed do not count. also_train: scenes that
 every fold learns from and that are not scored. Returns the scores of each category (of several sets SET/CATEGORY),
 their "mean", and of "all", as `gestalt evaluate --cross-validate N --json` prints them.)");
-  module.def("score", &score, py::arg("ground_truth"), py::arg("labels"),
+  module.def("score", &score, Computing(), py::arg("ground_truth"), py::arg("labels"),
              "Scores of one label image against ground truth, where that has 0 for pixels without depth.");
 }
 

@@ -9,6 +9,7 @@
 #include <iostream>
 
 #include "components.h"
+#include "core_call.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/plugin/registry.h"
 #include "gestalt/core/plugin/running_component.h"
@@ -19,7 +20,8 @@ namespace gestalt::python {
 
 namespace {
 
-/// An error of the core as one of Python. Paths in its message may be no UTF-8; they come out as Python has such paths.
+/// An error of the core as one of Python. Paths in its message need not be UTF-8; they come out as Python has such
+/// paths.
 template <class E>
 py::handle bind_error(py::module_& module, const char* name, py::handle base, const char* doc) {
   static const py::handle type = py::exception<E>(module, name, base).release();
@@ -40,6 +42,7 @@ py::handle bind_error(py::module_& module, const char* name, py::handle base, co
 void bind_errors(py::module_& module) {
   const py::handle base = bind_error<Error>(module, "Error", PyExc_RuntimeError,
                                             "What any function of the package raises when it cannot do its work.");
+  bind_interruption();
   bind_error<ConfigError>(module, "ConfigError", base, "A config that does not hold.");
   bind_error<PluginError>(module, "PluginError", base, "A component that is missing or fails.");
   bind_error<ModelError>(module, "ModelError", base, "A model that is missing or does not fit.");
@@ -93,6 +96,7 @@ PYBIND11_MODULE(_gestalt, module) {
   module.doc() = "The compiled part of gestalt.";
   module.attr("__version__") = GESTALT_VERSION;
   std::atexit(refuse_exit);
+  watch_process();
   bind_errors(module);
   bind_camera(module);
   bind_scene_view(module);

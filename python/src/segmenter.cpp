@@ -13,6 +13,7 @@
 
 #include "arrays.h"
 #include "components.h"
+#include "core_call.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/for_all.h"
 #include "gestalt/core/pipeline/run_identity.h"
@@ -118,7 +119,10 @@ class Result {
  private:
   /// result.json, made once.
   const nlohmann::json& content() {
-    if (content_.is_null()) content_ = result_json(input_, found_, source_->config);
+    if (content_.is_null()) {
+      nlohmann::json content = source_->arena.run([&] { return result_json(input_, found_, source_->config); });
+      if (content_.is_null()) content_ = std::move(content);  // else another thread has made it meanwhile
+    }
     return content_;
   }
 
@@ -133,7 +137,7 @@ class PySegmenter {
  public:
   PySegmenter(LoadedConfig loaded, int threads)
       : source_{std::make_shared<Source>(Source{Arena(threads), {}})},
-        segmenter_(source_->arena.run([&] { return Segmenter(std::move(loaded)); })) {
+        segmenter_(Arena(1).run([&] { return Segmenter(std::move(loaded)); })) {  // so that a fork is harmless
     source_->config = segmenter_.config_json();
     if (const std::string warning = segmenter_.warning();
         !warning.empty() && PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1))
@@ -169,6 +173,7 @@ class PySegmenter {
       const std::vector<fs::path> all = find_scenes(given);
       std::vector<ImageScore> scores(all.size());
       for_all(all.size(), [&](std::size_t i) {
+        require_interpreter();
         const Input input = read_scene(all[i], options);
         const auto ground_truth = scored_ground_truth(input);
         scores[i] = score_image(ground_truth, segmenter_.segment(input.frame).segmentation.labels);
@@ -196,10 +201,7 @@ class PySegmenter {
 
 py::tuple read(const fs::path& scene, const std::optional<Camera>& camera, std::optional<double> depth_scale) {
   const ReadOptions options = read_options(camera, depth_scale);
-  const Input input = [&] {
-    const py::gil_scoped_release released;
-    return read_scene(scene, options);
-  }();
+  const Input input = Arena(1).run([&] { return read_scene(scene, options); });
   warn(input);
   const Frame& frame = input.frame;
   const py::object labels = input.ground_truth.empty() ? py::object(py::none()) : array_of(input.ground_truth);
@@ -263,10 +265,11 @@ void bind_segmenter(py::module_& module) {
       .def_property_readonly("normals", &Result::normals,
                              "(height, width, 3) float32, unit, towards the camera; 0 where there is none.")
       .def_property_readonly("points", &Result::points, "(height, width, 3) float32, metres in the camera frame.")
-      .def_property_readonly("segments", &Result::segments,
+      .def_property_readonly("segments", py::cpp_function(&Result::segments, Computing()),
                              "Of each segment its label, role, pixels and patches; as in result.json, largest first.")
-      .def_property_readonly("objects", &Result::objects, "The segments that are objects.")
-      .def_property_readonly("patches", &Result::patches,
+      .def_property_readonly("objects", py::cpp_function(&Result::objects, Computing()),
+                             "The segments that are objects.")
+      .def_property_readonly("patches", py::cpp_function(&Result::patches, Computing()),
                              "Of each patch its pixels and its surface with parameters; as in result.json.")
       .def_property_readonly(
           "structural", [](const Result& result) { return result.pairs(Level::structural); },
@@ -276,8 +279,8 @@ values: (n, k); probabilities: (n,) that the two are of one object, NaN where th
           "assembly", [](const Result& result) { return result.pairs(Level::assembly); },
           "The same of pairs that are not neighbours; without rows where the config has no assembly level.")
       .def_property_readonly("milliseconds", &Result::milliseconds, "Time spent in each level.")
-      .def("to_dict", &Result::dictionary, "Everything that result.json holds.")
-      .def("save", &Result::save, py::arg("folder"), py::arg("name") = py::none(),
+      .def("to_dict", &Result::dictionary, Computing(), "Everything that result.json holds.")
+      .def("save", &Result::save, Computing(), py::arg("folder"), py::arg("name") = py::none(),
            "Writes labels.png, objects.png, overlay.png, patches.png and result.json: all or none.\n\n"
            "name: of a folder in it, where they go instead; data may have given it: no link is followed there.")
       .def("__repr__", &Result::text);
@@ -295,8 +298,8 @@ Raises ConfigError, PluginError, ModelError. Warns when the model was trained wi
              return std::make_unique<PySegmenter>(load_config(config, overrides, registered(components)), threads);
            }),
            py::arg("config") = py::none(), py::arg("overrides") = std::vector<std::string>{}, py::kw_only(),
-           py::arg("components") = py::none(), py::arg("threads") = 0)
-      .def("__call__", &PySegmenter::call, py::arg("colour"), py::arg("depth"), py::arg("camera"),
+           Computing(), py::arg("components") = py::none(), py::arg("threads") = 0)
+      .def("__call__", &PySegmenter::call, Computing(), py::arg("colour"), py::arg("depth"), py::arg("camera"),
            py::arg("name") = "frame", py::kw_only(), py::arg("depth_scale") = py::none(), R"(Segments a frame.
 
 colour: (height, width, 3) uint8, red green blue; or None, when no relation of the config needs it.
@@ -306,21 +309,22 @@ depth_scale: metres per unit of depth, where it is in another unit.
 The interpreter is released meanwhile. Raises InputError when the images and the camera do not fit each other,
 PluginError when a component fails.)")
       .def(
-          "segment", &PySegmenter::read, py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
+          "segment", &PySegmenter::read, Computing(), py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
           py::arg("depth_scale") = py::none(),
           "Segments a scene folder or a cloud, as `gestalt segment` does; camera replaces the scene's, and depth_scale "
           "(metres per unit) its unit.")
-      .def("evaluate", &PySegmenter::evaluate, py::arg("scenes"), py::kw_only(), py::arg("depth_scale") = py::none(),
+      .def("evaluate", &PySegmenter::evaluate, Computing(), py::arg("scenes"), py::kw_only(),
+           py::arg("depth_scale") = py::none(),
            "Scores of scenes with ground truth by category (of several sets SET/CATEGORY), their \"mean\", and of "
            "\"all\", "
            "as `gestalt evaluate --json` prints them.")
       .def_property_readonly("config", &PySegmenter::config, "The resolved config as a dictionary.");
 
-  module.def("read_scene", &read, py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
+  module.def("read_scene", &read, Computing(), py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
              py::arg("depth_scale") = py::none());
   module.def("check_scene_names", &check_names, py::arg("scenes"),
              "Raises InputError unless each scene has a name of its own, by which results can go.");
-  module.def("run_identity", &identity, py::arg("config") = py::none(),
+  module.def("run_identity", &identity, Computing(), py::arg("config") = py::none(),
              py::arg("overrides") = std::vector<std::string>{}, py::kw_only(), py::arg("components") = py::none(),
              "Names what a segmenter is made of by its content: config, model, plugins, this build.");
 }
