@@ -129,7 +129,8 @@ Model train_model(const Classifier& classifier, std::string classifier_name, std
   for (std::size_t i = 0; i < samples.rows(); ++i)
     scaling.apply(samples.row(i), {scaled.values.data() + i * samples.columns, samples.columns});
   const ComponentName name = component_name("classifier", classifier_name);
-  std::shared_ptr<const Predictor> predictor = call_component(name, [&] { return classifier.train(scaled); });
+  std::shared_ptr<const Predictor> predictor =
+      call_component(name, [&] { return owned(name, classifier.train(scaled)); });
   if (!predictor) throw PluginError(std::string(name) + " learned nothing; report this to its author");
   return {std::move(names),    scaling, std::move(classifier_name), std::move(config_hash), std::move(training),
           std::move(predictor)};
@@ -192,7 +193,9 @@ Model read_level(const fs::path& file, const json& document, Level level, const 
                    expected.classifier_name + "'; " + retrain + ", or set " + level_name + ".classifier to " +
                    model.classifier);
   try {
-    model.predictor = expected.classifier.restore(state, model.names.size());
+    const ComponentName name = component_name("classifier", model.classifier);
+    model.predictor =
+        call_component(name, [&] { return owned(name, expected.classifier.restore(state, model.names.size())); });
   } catch (const std::exception& error) {
     fail(file, "is damaged: the state of its classifier '" + model.classifier + "' of the " + level_name +
                    " level: " + error.what() + "; " + retrain);

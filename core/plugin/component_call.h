@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <new>
 #include <string>
 
@@ -25,10 +26,9 @@ class RunningComponent {
   ComponentName before_;
 };
 
-/// Lets a component work. What it throws that is no Error, as code of others may, becomes a PluginError with its name.
+/// What a component throws that is no Error, as code of others may, becomes a PluginError with its name.
 template <class Work>
-auto call_component(ComponentName name, const Work& work) {
-  const RunningComponent running(name);
+auto blame_component(ComponentName name, const Work& work) {
   try {
     return work();
   } catch (const Error&) {
@@ -40,6 +40,23 @@ auto call_component(ComponentName name, const Work& work) {
   } catch (...) {
     throw PluginError(std::string(name) + " failed, and threw what has no message");
   }
+}
+
+/// The same, and has running_component() give its name.
+template <class Work>
+auto call_component(ComponentName name, const Work& work) {
+  const RunningComponent running(name);
+  return blame_component(name, work);
+}
+
+/// A component, or what it made: its destructor is code of others, too.
+template <class T>
+std::shared_ptr<T> owned(ComponentName name, std::unique_ptr<T> product) {
+  if (!product) return nullptr;
+  return {product.release(), [name](T* last) {
+            const RunningComponent running(name);
+            delete last;
+          }};
 }
 
 }  // namespace gestalt

@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "gestalt/core/base/suggest.h"
+#include "gestalt/core/plugin/component_call.h"
 #include "gestalt/core/plugin/fingerprint.h"
 #include "gestalt/core/plugin/manifest.h"
 
@@ -184,7 +185,7 @@ std::shared_ptr<const Kind> Registry::create(std::string_view name, const Parame
   const std::string who = std::string(kind_name<Kind>) + " '" + std::string(name) + "'";
   std::shared_ptr<const Kind> product;
   try {
-    product = typed->create(values);
+    product = owned(component_name(kind_name<Kind>, std::string(name)), typed->create(values));
   } catch (const ConfigError& error) {
     throw ConfigError(who + ": " + error.what());
   } catch (const std::exception& error) {

@@ -30,29 +30,15 @@ Owned owned(py::object object) {
           }};
 }
 
-/// What Python raised to be stopped: passes through the core as it is.
-class Interruption : public Error {
- public:
-  explicit Interruption(const py::error_already_set& raised) : Error(raised.what()), raised_(owned(raised.value())) {
-    PyException_SetTraceback(raised_->ptr(), raised.trace() ? raised.trace().ptr() : Py_None);
-  }
-
-  /// The interpreter must be held.
-  void raise() const { PyErr_SetObject(PyExceptionInstance_Class(raised_->ptr()), raised_->ptr()); }
-
- private:
-  Owned raised_;
-};
-
-/// f() with the interpreter held; what Python raises becomes the core's error E, after whose component it is, but
-/// KeyboardInterrupt stays what it is.
+/// f() with the interpreter held; what Python raises becomes the core's error E, after whose component it is. A
+/// KeyboardInterrupt comes out of the call as such all the same.
 template <class E, class F>
 auto in_python(const std::string& component, F f) {
   return hold_interpreter([&] {
     try {
       return f();
     } catch (const py::error_already_set& error) {
-      if (error.matches(PyExc_KeyboardInterrupt)) throw Interruption(error);
+      if (error.matches(PyExc_KeyboardInterrupt)) note_interruption(error);
       throw E(component + ": " + error.what());
     } catch (const py::cast_error& error) {
       throw E(component + ": " + error.what());
@@ -378,16 +364,6 @@ void add_component(Registry& registry, const std::string& name, const py::object
 
 py::dict registered(const py::object& components) {
   return components.is_none() ? py::module_::import("gestalt.components").attr("registered") : components;
-}
-
-void bind_interruption() {
-  py::register_exception_translator([](std::exception_ptr thrown) {
-    try {
-      if (thrown) std::rethrow_exception(thrown);
-    } catch (const Interruption& interruption) {
-      interruption.raise();
-    }
-  });
 }
 
 void bind_scene_view(py::module_& module) {

@@ -15,9 +15,6 @@ void add_component(Registry& registry, const std::string& name, const pybind11::
 /// The components to use: those given, or for None all that the program registered.
 pybind11::dict registered(const pybind11::object& components);
 
-/// KeyboardInterrupt that a component raised, as such. Must come after the errors that it is one of.
-void bind_interruption();
-
 /// The class gestalt.SceneView, what a relation sees of a frame.
 void bind_scene_view(pybind11::module_& module);
 

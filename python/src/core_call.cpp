@@ -25,6 +25,9 @@ std::atomic<bool> ending = false;
 std::atomic<bool> workers_begun = false;  ///< TBB may have threads of its own
 std::atomic<bool> threads_lost = false;   ///< this process is a copy without the threads that were at work
 
+/// What stopped a call of this thread; touched with the interpreter held.
+thread_local PyObject* interruption = nullptr;
+
 /// A child has the thread that forked alone; what the others held stays locked, and what they computed is not finished.
 void note_fork() {
   ++forked;
@@ -58,6 +61,7 @@ CoreCall::CoreCall() {
         "this process was forked from one in which gestalt had threads at work, which a fork does not copy; use "
         "multiprocessing.get_context(\"spawn\"), or \"forkserver\", or fork before the first frame is computed");
   require_interpreter();
+  Py_CLEAR(interruption);
   ++calls;
 }
 
@@ -85,6 +89,19 @@ bool interpreter_is_ending() noexcept { return ending; }
 
 void require_interpreter() {
   if (ending) throw Error("the interpreter is ending, and begins no more work");
+}
+
+void note_interruption(const py::error_already_set& raised) {
+  PyException_SetTraceback(raised.value().ptr(), raised.trace() ? raised.trace().ptr() : Py_None);
+  Py_XDECREF(interruption);
+  interruption = py::object(raised.value()).release().ptr();
+}
+
+bool raise_interruption() {
+  if (!interruption) return false;
+  PyErr_SetObject(PyExceptionInstance_Class(interruption), interruption);
+  Py_CLEAR(interruption);
+  return true;
 }
 
 int forks() noexcept { return forked; }

@@ -7,6 +7,7 @@
 #include <tbb/task_arena.h>
 
 #include <memory>
+#include <type_traits>
 #include <utility>
 
 namespace gestalt::python {
@@ -41,6 +42,13 @@ int forks() noexcept;
 
 /// Ends a child that was forked inside a component and came back out of it: the frame's other threads are not there.
 [[noreturn]] void end_forked_frame() noexcept;
+
+/// Keeps what a component raised to stop this thread's call, which the core knows as another error or, where the frame
+/// was another thread's, not at all.
+void note_interruption(const py::error_already_set& raised);
+
+/// Whether there is one: it is raised then, and forgotten.
+bool raise_interruption();
 
 /// Never returns. For a thread that Python is about to end, by an unwinding that no C++ function may stop.
 [[noreturn]] void stay() noexcept;
@@ -100,11 +108,22 @@ class Arena {
   template <class F>
   auto run(F f) const {
     note_threads();
+    if constexpr (std::is_void_v<decltype(f())>) {
+      released(f);
+    } else {
+      auto answer = released(f);
+      if (raise_interruption()) throw py::error_already_set();
+      return answer;
+    }
+  }
+
+ private:
+  template <class F>
+  auto released(F f) const {
     const Released released;
     return arena_->execute(f);
   }
 
- private:
   void note_threads() const;
 
   std::shared_ptr<tbb::task_arena> arena_;

@@ -15,13 +15,13 @@
 #include "gestalt/core/plugin/running_component.h"
 #include "gestalt/core/scene/frame.h"
 #include "segmenter.h"
+#include "text.h"
 
 namespace gestalt::python {
 
 namespace {
 
-/// An error of the core as one of Python. Paths in its message need not be UTF-8; they come out as Python has such
-/// paths.
+/// An error of the core as one of Python.
 template <class E>
 py::handle bind_error(py::module_& module, const char* name, py::handle base, const char* doc) {
   static const py::handle type = py::exception<E>(module, name, base).release();
@@ -30,10 +30,8 @@ py::handle bind_error(py::module_& module, const char* name, py::handle base, co
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const E& error) {
-      const std::string_view text = error.what();
-      const auto message = py::reinterpret_steal<py::object>(
-          PyUnicode_DecodeUTF8(text.data(), py::ssize_t(text.size()), "surrogateescape"));
-      PyErr_SetObject(type.ptr(), message.ptr());
+      if (raise_interruption()) return;
+      PyErr_SetObject(type.ptr(), text_of(error.what()).ptr());
     }
   });
   return type;
@@ -42,7 +40,6 @@ py::handle bind_error(py::module_& module, const char* name, py::handle base, co
 void bind_errors(py::module_& module) {
   const py::handle base = bind_error<Error>(module, "Error", PyExc_RuntimeError,
                                             "What any function of the package raises when it cannot do its work.");
-  bind_interruption();
   bind_error<ConfigError>(module, "ConfigError", base, "A config that does not hold.");
   bind_error<PluginError>(module, "PluginError", base, "A component that is missing or fails.");
   bind_error<ModelError>(module, "ModelError", base, "A model that is missing or does not fit.");

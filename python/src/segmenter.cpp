@@ -23,6 +23,7 @@
 #include "gestalt/io/scene/depth_reading.h"
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/scene_names.h"
+#include "text.h"
 
 namespace gestalt::python {
 
@@ -36,10 +37,13 @@ std::string in_python(const std::string& message) {
                                                 : message + " (in Python: depth_scale=, the metres of a unit)";
 }
 
-/// Each warning of the input as one of Python. Throws where Python makes it an exception.
+/// A warning of Python. Throws where Python makes it an exception.
+void warn(const std::string& warning) {
+  if (PyErr_WarnFormat(PyExc_UserWarning, 1, "%U", text_of(warning).ptr())) throw py::error_already_set();
+}
+
 void warn(const Input& input) {
-  for (const std::string& warning : input.warnings)
-    if (PyErr_WarnEx(PyExc_UserWarning, in_python(warning).c_str(), 1)) throw py::error_already_set();
+  for (const std::string& warning : input.warnings) warn(in_python(warning));
 }
 
 /// What results need of the segmenter that made them.
@@ -55,7 +59,7 @@ class Result {
       : source_(std::move(source)), input_(std::move(input)), found_(std::move(found)) {}
 
   const Input& input() const { return input_; }
-  const std::string& name() const { return input_.frame.name; }
+  py::str name() const { return text_of(input_.frame.name); }
   py::array labels() const { return array_of(found_.segmentation.labels); }
   py::array objects_image() const { return array_of(object_labels(found_.segmentation)); }
   py::array patch_labels() const { return array_of(found_.percept.surfaces().labels); }
@@ -109,11 +113,11 @@ class Result {
     source_->arena.run([&] { write_result(place, input_, found_, source_->config); });
   }
 
-  std::string text() const {
+  py::str text() const {
     std::size_t objects = 0;
     for (const Segment& segment : found_.segmentation.segments) objects += segment.role == Role::object;
-    return "<gestalt.Result of '" + name() + "': " + std::to_string(objects) + " objects, " +
-           std::to_string(found_.percept.surfaces().surfaces.size()) + " patches>";
+    return text_of("<gestalt.Result of '" + input_.frame.name + "': " + std::to_string(objects) + " objects, " +
+                   std::to_string(found_.percept.surfaces().surfaces.size()) + " patches>");
   }
 
  private:
@@ -139,9 +143,7 @@ class PySegmenter {
       : source_{std::make_shared<Source>(Source{Arena(threads), {}})},
         segmenter_(Arena(1).run([&] { return Segmenter(std::move(loaded)); })) {  // so that a fork is harmless
     source_->config = segmenter_.config_json();
-    if (const std::string warning = segmenter_.warning();
-        !warning.empty() && PyErr_WarnEx(PyExc_UserWarning, warning.c_str(), 1))
-      throw py::error_already_set();
+    if (const std::string warning = segmenter_.warning(); !warning.empty()) warn(warning);
   }
 
   std::unique_ptr<Result> call(const py::object& colour, const py::array& depth, const Camera& camera,
@@ -205,7 +207,7 @@ py::tuple read(const fs::path& scene, const std::optional<Camera>& camera, std::
   warn(input);
   const Frame& frame = input.frame;
   const py::object labels = input.ground_truth.empty() ? py::object(py::none()) : array_of(input.ground_truth);
-  return py::make_tuple(frame.name, colour_array(frame.colour), array_of(frame.depth), frame.camera, labels);
+  return py::make_tuple(text_of(frame.name), colour_array(frame.colour), array_of(frame.depth), frame.camera, labels);
 }
 
 void check_names(const std::vector<fs::path>& scenes) {

@@ -222,6 +222,8 @@ class ProcessTest(unittest.TestCase):
 
     def test_a_keyboard_interrupt_stays_one(self):
         text = """
+        signal.signal(signal.SIGINT, signal.default_int_handler)  # which a shell's background jobs are without
+
         class Interrupted(Apart):
             def react(self, groups):
                 os.kill(os.getpid(), signal.SIGINT)
