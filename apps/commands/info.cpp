@@ -24,6 +24,7 @@
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/scene_format.h"
 #include "gestalt/io/scene/scene_path.h"
+#include "gestalt/io/scene/yaml_document.h"
 
 namespace gestalt::app::info_command {
 
@@ -170,7 +171,7 @@ Description describe_json(const fs::path& file) try {
 Description describe_yaml(const fs::path& file) {
   YAML::Node content;
   try {
-    content = YAML::Load(read_bytes(file, largest_yaml));
+    content = load_yaml_document(read_bytes(file, largest_yaml));
   } catch (const YAML::Exception& error) {
     fail(file, std::string("is no YAML: ") + error.what());
   }

@@ -26,6 +26,9 @@ std::string read_text(const fs::path& file) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored))
     throw ConfigError("cannot read config '" + file.string() + "': it is a directory");
+  // Opening a pipe would wait for its writer, and a device may have no end.
+  if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored))
+    throw ConfigError("cannot read config '" + file.string() + "': it is a pipe or device; copy it to a regular file");
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   std::string text(largest_file + 1, '\0');

@@ -11,6 +11,7 @@
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
 #include "gestalt/io/scene/input.h"
+#include "gestalt/io/scene/yaml_document.h"
 #include "most_pixels.h"
 
 namespace gestalt {
@@ -37,7 +38,7 @@ std::string known_formats() {
 
 YAML::Node parse_yaml(const fs::path& file, const std::string& text) {
   try {
-    return YAML::Load(text);
+    return load_yaml_document(text);
   } catch (const YAML::Exception& error) {
     fail(file, error.mark.is_null() ? YAML::Mark() : error.mark, "is no YAML: " + error.msg);
   }

@@ -158,6 +158,15 @@ TEST_F(CameraFormats, WhatIsMissingIsNamedWithTheFormat) {
   expect("width: 6\nheight: 4\ndistortion_model: double_sphere\nD: [0.1]\nK: " + rows + "\n",
          "'double_sphere' cannot be read");
   expect("width: 6\nheight: 4\nK: [1, 0.5, 3, 0, 1, 2, 0, 0, 1]\n", "has skew axes");
+  for (const std::string key : {"K: ", "camera_matrix: ", "mtx: ", "intrinsic_matrix: ", "cam_K: ", "intrinsics: "}) {
+    expect(key + "[9, 5, 3, 0, 9, 2, 0, 0, 1]\n", "has skew axes");
+    expect(key + "[9, 0, 3, 0, 9, 2, 0, 0, 2]\n", "must have the row 0 0 1");
+    expect(key + "[[9, 0, 3], [1, 9, 2], [0, 0, 1]]\n", "has skew axes");
+  }
+  expect("9 5 3\n0 9 2\n0 0 1\n", "has skew axes");
+  expect("K: " + rows + "\n---\nK: " + rows + "\n", ":3:1: is no YAML: a second document begins here");
+  expect("width: 6\nheight: 4\nfx: 1\nfy: 1\ncx: 1\ncy: 1\n---\nfx: 2\n", "a second document");
+  expect("9 0 3\n0 9 2\n0 0 0.5\n", "must have the row 0 0 1");
 }
 
 TEST_F(CameraFormats, MayBeText16BitsWide) {
