@@ -340,17 +340,20 @@ class PythonSolver final : public Solver {
 template <class Kind, class Component>
 void add(Registry& registry, const std::string& name, const py::object& type) {
   const std::string who = std::string(kind_name<Kind>) + " '" + name + "', written in Python";
-  const std::vector<Parameter> declared = in_python<PluginError>(who, [&] { return declarations(type); });
+  std::vector<Parameter> declared;
+  ComponentInfo info;
+  in_python<PluginError>(who, [&] {
+    declared = declarations(type);
+    info = {"", name, py::cast<std::string>(type.attr("version")), py::cast<std::string>(type.attr("description")()),
+            py::cast<std::string>(type.attr("__module__")) + "." + py::cast<std::string>(type.attr("__qualname__")) +
+                " (Python)"};
+  });
   const auto shared = owned(type);
-  const std::string place = py::cast<std::string>(type.attr("__module__")) + "." +
-                            py::cast<std::string>(type.attr("__qualname__")) + " (Python)";
-  registry.add<Kind>(
-      {"", name, py::cast<std::string>(type.attr("version")), py::cast<std::string>(type.attr("description")()), place},
-      Factory<Kind>{declared, [who, shared, declared](const ParameterValues& given) {
-                      return in_python<PluginError>(who, [&]() -> std::unique_ptr<Kind> {
-                        return std::make_unique<Component>(who, make(*shared, declared, given));
-                      });
-                    }});
+  registry.add<Kind>(info, Factory<Kind>{declared, [who, shared, declared](const ParameterValues& given) {
+                                           return in_python<PluginError>(who, [&]() -> std::unique_ptr<Kind> {
+                                             return std::make_unique<Component>(who, make(*shared, declared, given));
+                                           });
+                                         }});
 }
 
 }  // namespace

@@ -221,6 +221,13 @@ std::string identity(const py::object& config, const std::vector<std::string>& o
   return run_identity(load_config(config, overrides, registered(components)));
 }
 
+/// Throws what Python has for other objects, and for a NUL within.
+fs::path path_of(const py::handle& path) {
+  PyObject* bytes = nullptr;
+  if (!PyUnicode_FSConverter(path.ptr(), &bytes)) throw py::error_already_set();
+  return std::string(py::reinterpret_steal<py::bytes>(bytes));
+}
+
 }  // namespace
 
 ReadOptions read_options(const std::optional<Camera>& camera, std::optional<double> depth_scale) {
@@ -237,16 +244,24 @@ LoadedConfig load_config(const py::object& config, const std::vector<std::string
   if (!config.is_none() && !py::isinstance<py::str>(config) && !py::hasattr(config, "__fspath__"))
     throw ConfigError(
         "config: expected a file, the name of an installed config, or None; single values go into overrides");
-  ConfigTree tree(config.is_none() ? default_config() : py::cast<fs::path>(config), overrides);
+  ConfigTree tree(config.is_none() ? default_config() : path_of(config), overrides);
   Registry registry(plugin_search_path(tree.plugin_directories()));
-  for (const auto& [name, type] : components)
+  const py::object base = py::module_::import("gestalt.components").attr("Component");
+  for (const auto& [name, type] : components) {
+    if (!py::isinstance<py::str>(name) || !PyType_Check(type.ptr()) || PyObject_IsSubclass(type.ptr(), base.ptr()) != 1)
+      throw py::type_error("components: " + py::cast<std::string>(py::repr(name)) +
+                           ": expected a name with a class derived from gestalt.Relation, Classifier or Solver");
     add_component(registry, py::cast<std::string>(name), py::reinterpret_borrow<py::object>(type));
+  }
   return {std::move(tree), std::move(registry)};
 }
 
 std::vector<fs::path> paths(const py::object& paths) {
-  if (py::isinstance<py::str>(paths) || py::hasattr(paths, "__fspath__")) return {py::cast<fs::path>(paths)};
-  return py::cast<std::vector<fs::path>>(paths);
+  if (py::isinstance<py::str>(paths) || py::isinstance<py::bytes>(paths) || py::hasattr(paths, "__fspath__"))
+    return {path_of(paths)};
+  std::vector<fs::path> all;
+  for (const py::handle path : paths) all.push_back(path_of(path));
+  return all;
 }
 
 std::vector<fs::path> some_paths(const py::object& given) {
