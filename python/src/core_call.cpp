@@ -22,6 +22,7 @@ namespace {
 std::atomic<int> calls = 0;
 std::atomic<int> forked = 0;
 std::atomic<bool> ending = false;
+std::thread::id ending_thread;            ///< that of Python's main program, set before ending
 std::atomic<bool> workers_begun = false;  ///< TBB may have threads of its own
 std::atomic<bool> threads_lost = false;   ///< this process is a copy without the threads that were at work
 
@@ -45,6 +46,7 @@ void leave_at_once(int status, void*) {
 /// Waits for the calls of other threads; one that takes longer is left where it is, and the process ends without it.
 void end_calls() {
   constexpr std::chrono::seconds longest{5};
+  ending_thread = std::this_thread::get_id();
   ending = true;
   const py::gil_scoped_release released;
   const auto begin = std::chrono::steady_clock::now();
@@ -60,6 +62,10 @@ CoreCall::CoreCall() {
     throw Error(
         "this process was forked from one in which gestalt had threads at work, which a fork does not copy; use "
         "multiprocessing.get_context(\"spawn\"), or \"forkserver\", or fork before the first frame is computed");
+  if (ending && std::this_thread::get_id() != ending_thread) {  // an exception would be printed as of a fault
+    PyEval_SaveThread();
+    stay();
+  }
   require_interpreter();
   Py_CLEAR(interruption);
   ++calls;
