@@ -32,7 +32,8 @@ std::vector<std::string> names_of(const std::map<std::string, Value>& named) {
 
 const CLI::Validator is_unit(
     [](std::string& text) {
-      return metres_of_unit(text) ? std::string() : "'" + text + "' is no unit of length; write m, cm, mm, 0.1mm, ...";
+      return metres_of_unit(text) ? std::string()
+                                  : "'" + text + "' is not a unit of length; write m, cm, mm, 0.1mm, ...";
     },
     "", "unit");
 

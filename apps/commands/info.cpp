@@ -165,7 +165,7 @@ Description describe_json(const fs::path& file) try {
   if (format == "gestalt-result") return describe_result(content);
   return describe_camera_file(file);
 } catch (const nlohmann::json::exception& error) {
-  fail(file, std::string("is no complete model or result: ") + error.what());
+  fail(file, std::string("is not a complete model or result: ") + error.what());
 }
 
 Description describe_yaml(const fs::path& file) {
@@ -173,7 +173,7 @@ Description describe_yaml(const fs::path& file) {
   try {
     content = load_yaml_document(read_bytes(file, largest_yaml));
   } catch (const YAML::Exception& error) {
-    fail(file, std::string("is no YAML: ") + error.what());
+    fail(file, std::string("is not valid YAML: ") + error.what());
   }
   if (content.IsMap() && (content["schema_version"] || content["extends"])) {
     Description sections = Description::array();

@@ -127,7 +127,7 @@ void add_inspect(CLI::App& app, Run& run) {
       ->type_name("FILE");
   command
       ->add_option("--scene", options->scenes,
-                   "Where the scene is, or a folder of scenes, when it is no more where the result says")
+                   "Where the scene is, or a folder of scenes, when it is no longer where the result says")
       ->type_name("PATH");
   add_reading_options(*command, options->reading);
   add_pipeline_options(*command, options->pipeline);

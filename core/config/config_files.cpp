@@ -37,7 +37,7 @@ std::string read_text(const fs::path& file) {
     throw ConfigError("cannot read config '" + file.string() + "': " + std::generic_category().message(errno));
   text.resize(std::size_t(stream.gcount()));
   if (text.size() > largest_file)
-    throw ConfigError("cannot read config '" + file.string() + "': it is larger than 1 MiB, so it is no config");
+    throw ConfigError("cannot read config '" + file.string() + "': it is larger than 1 MiB, so it is not a config");
   return text;
 }
 

@@ -425,7 +425,8 @@ TEST_F(ConfigTest, AFileThatCannotBeReadIsAnErrorAtOnce) {
   EXPECT_NE(errors(write("above.yaml", "schema_version: 1\nextends: pipe.yaml\n")).at(0).find("it is a pipe"),
             std::string::npos);
   EXPECT_NE(errors("/dev/zero").at(0).find("it is a pipe or device"), std::string::npos);
-  EXPECT_NE(errors_of_text("a: [1\nb: 2\n").at(0).find("test.yaml:2:2: a[1]: this is no YAML: "), std::string::npos);
+  EXPECT_NE(errors_of_text("a: [1\nb: 2\n").at(0).find("test.yaml:2:2: a[1]: this is not valid YAML: "),
+            std::string::npos);
   EXPECT_EQ(errors_of_text("").at(0), "test.yaml:1:1: the file is empty; a config begins with 'schema_version: 1'");
   EXPECT_EQ(errors_of_text("gabor").at(0), "test.yaml:1:1: expected keys and values, got 'gabor'");
 }

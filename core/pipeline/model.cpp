@@ -60,7 +60,7 @@ json read(const fs::path& file) {
   try {
     return parse_json(file.string(), text);
   } catch (const InputError& error) {
-    throw ModelError(std::string(error.what()) + ", so it is no model; " + retrain);
+    throw ModelError(std::string(error.what()) + ", so it is not a model; " + retrain);
   }
 }
 
@@ -155,8 +155,8 @@ json to_json(const Model& model) {
 /// The model's format and version are those of this program.
 void check_format(const fs::path& file, const json& document) {
   if (!document.is_object() || document.value("format", json()) != format)
-    fail(file,
-         std::string("is no model: 'format' is not \"") + format + "\"; name a file that `gestalt train` has written");
+    fail(file, std::string("is not a model: 'format' is not \"") + format +
+                   "\"; name a file that `gestalt train` has written");
   if (document.value("version", json()) != version)
     fail(file, "has version " + document.value("version", json()).dump(-1, ' ', false, json::error_handler_t::replace) +
                    " of the model format, this program reads version " + std::to_string(version) + "; " + retrain);

@@ -34,11 +34,11 @@ auto blame_component(ComponentName name, const Work& work) {
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
-    throw PluginError(std::string(name) + " failed: it got no more memory");
+    throw PluginError(std::string(name) + " failed: it ran out of memory");
   } catch (const std::exception& error) {
     throw PluginError(std::string(name) + " failed: " + error.what());
   } catch (...) {
-    throw PluginError(std::string(name) + " failed, and threw what has no message");
+    throw PluginError(std::string(name) + " failed with an exception that has no message");
   }
 }
 

@@ -76,7 +76,7 @@ void Registry::open(const fs::path& library) {
   try {
     boost::dll::shared_library handle(library.string(), load_mode);
     if (!handle.has(GESTALT_ENTRY_SYMBOL)) {
-      rejected_.push_back({library, "it has no symbol " GESTALT_ENTRY_SYMBOL ", so it is no plugin"});
+      rejected_.push_back({library, "it has no symbol " GESTALT_ENTRY_SYMBOL ", so it is not a plugin"});
       return;
     }
     manifest = handle.get<const gestalt_manifest*()>(GESTALT_ENTRY_SYMBOL)();
@@ -191,9 +191,9 @@ std::shared_ptr<const Kind> Registry::create(std::string_view name, const Parame
   } catch (const std::exception& error) {
     throw PluginError(who + " could not be made: " + error.what());
   } catch (...) {
-    throw PluginError(who + " could not be made: its factory threw something that is no exception");
+    throw PluginError(who + " could not be made: its factory threw something other than an exception");
   }
-  if (!product) throw PluginError(who + " could not be made: its factory gave nothing");
+  if (!product) throw PluginError(who + " could not be made: its factory returned nothing");
   return product;
 }
 

@@ -62,7 +62,7 @@ class VariantsFile {
     try {
       return load_yaml_document(text);
     } catch (const YAML::Exception& error) {
-      fail(error.mark, "is no YAML: " + error.msg);
+      fail(error.mark, "is not valid YAML: " + error.msg);
     }
   }
 

@@ -58,7 +58,7 @@ TEST(OverrideSets, NameThePlaceOfAnError) {
   refuse("a: b=c\na: b=d\n", {"v.yaml:2:1", "'a'", "second time"});
   refuse("a: b=c\nd: []\n", {"v.yaml:2:1", "'d'"});
   refuse("a:\n  - {b: c}\n", {"v.yaml:2:5", "path=value"});
-  refuse("a: [b\n", {"v.yaml:2:1", "no YAML"});
+  refuse("a: [b\n", {"v.yaml:2:1", "not valid YAML"});
   expect_error([&] { read_override_sets(folder.path() / "nothing.yaml"); }, {"nothing.yaml", "does not exist"});
 }
 

@@ -24,7 +24,8 @@ json read_cameras(const fs::path& scene) {
   const fs::path file = scene / bop_cameras_file;
   json cameras = read_json(file, largest_cameras);
   if (!cameras.is_object() || cameras.empty())
-    throw InputError(file.string() + ": is no map of image numbers to cameras, in JSON; take the file of the data set");
+    throw InputError(file.string() +
+                     ": is not a map of image numbers to cameras, in JSON; take the file of the data set");
   return cameras;
 }
 
@@ -35,7 +36,8 @@ std::vector<int> bop_image_numbers(const fs::path& scene) {
   const json cameras = read_cameras(scene);
   for (const auto& [key, camera] : cameras.items()) {
     if (key.empty() || key.size() > 6 || key.find_first_not_of("0123456789") != key.npos)
-      throw InputError((scene / bop_cameras_file).string() + ": '" + key.substr(0, 40) + "' is no number of an image");
+      throw InputError((scene / bop_cameras_file).string() + ": '" + key.substr(0, 40) +
+                       "' is not the number of an image");
     numbers.push_back(std::stoi(key));
   }
   std::sort(numbers.begin(), numbers.end());

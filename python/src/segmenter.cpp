@@ -266,7 +266,7 @@ std::vector<fs::path> paths(const py::object& paths) {
 
 std::vector<fs::path> some_paths(const py::object& given) {
   std::vector<fs::path> some = paths(given);
-  if (some.empty()) throw InputError("scenes: there is none; give a folder of scenes, or a list of them");
+  if (some.empty()) throw InputError("scenes: there are none; give a folder of scenes, or a list of them");
   return some;
 }
 

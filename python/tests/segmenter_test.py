@@ -124,7 +124,7 @@ class PipelineTest(unittest.TestCase):
             lambda: gestalt.cross_validate([]),
             lambda: gestalt.train([], "no_model.json"),
         ):
-            with self.assertRaisesRegex(gestalt.InputError, "scenes: there is none"):
+            with self.assertRaisesRegex(gestalt.InputError, "scenes: there are none"):
                 call()
 
     def test_saves_below_a_folder_and_follows_no_link_there(self):
