@@ -65,7 +65,7 @@ int run_command(int argc, char** argv) {
   try {
     std::error_code error;
     if (std::filesystem::current_path(error).empty())
-      throw gestalt::ConfigError("the current folder is there no more; change to another one");
+      throw gestalt::ConfigError("the current folder no longer exists; change to another one");
     const Unfinished unfinished;
     return printed(run());
   } catch (const gestalt::ConfigError& error) {

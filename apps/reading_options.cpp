@@ -35,7 +35,8 @@ CLI::Option* add_named(CLI::App& command, const std::string& option, const Named
 
 const CLI::Validator is_unit(
     [](std::string& text) {
-      return metres_of_unit(text) ? std::string() : "'" + text + "' is no unit of length; write m, cm, mm, 0.1mm, ...";
+      return metres_of_unit(text) ? std::string()
+                                  : "'" + text + "' is not a unit of length; write m, cm, mm, 0.1mm, ...";
     },
     "", "unit");
 

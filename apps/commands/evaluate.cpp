@@ -179,7 +179,7 @@ class Evaluation {
 
 int score_predictions(const Options& options) {
   if (!fs::is_directory(options.predictions))
-    throw InputError(options.predictions.string() + ": is no folder; give the folder that holds the label images");
+    throw InputError(options.predictions.string() + ": is not a folder; give the folder that holds the label images");
   const ReadOptions read = read_options(options.reading);
   Evaluation evaluation(options);
   evaluation.for_each_scene([&](std::size_t i) {

@@ -23,6 +23,8 @@ namespace {
 
 namespace fs = std::filesystem;
 
+constexpr std::array formats{"ply", "obj", "json"};
+
 struct Options {
   fs::path result, output;
   std::string format;  ///< empty: by the output's extension
@@ -149,21 +151,25 @@ void print(const std::string& name, const Storage& storage) {
   std::cout << line.str();
 }
 
-/// What --format says, else the extension of --output, else ply.
+/// What --format says, else the extension of --output, else ply. Throws ConfigError for an extension of another format.
 std::string format_of(const Options& options) {
   if (!options.format.empty()) return options.format;
   const std::string extension = lower_extension(options.output);
-  return extension == ".obj" || extension == ".json" ? extension.substr(1) : "ply";
+  if (extension.empty()) return "ply";
+  for (const char* format : formats)
+    if (extension.substr(1) == format) return format;
+  throw ConfigError("--output " + options.output.string() + ": meshes are written as .ply, .obj or .json, not as " +
+                    extension + "; change the name, or add --format ply to keep it");
 }
 
 int export_surfaces(const Options& options) {
+  const std::string format = format_of(options);
   const StoredResult result = read_result(options.result);
   if (!result.warning.empty()) std::cerr << "gestalt: warning: " << result.warning << '\n';
   TriangulationBudget budget;
   std::vector<Object> objects;
   for (const StoredResult::Segment& segment : result.segments)
     if (options.all || !segment.background) objects.push_back(reconstruct(options, result, segment, budget));
-  const std::string format = format_of(options);
   write_file(options.output, format == "ply"   ? ply(objects)
                              : format == "obj" ? obj(objects)
                                                : json(objects, result.scene));
@@ -187,7 +193,7 @@ void add_export(CLI::App& app, Run& run) {
       ->type_name("FILE");
   command
       ->add_option("--format", options->format, "Format of the mesh (default: by the extension of --output, else ply)")
-      ->check(CLI::IsMember({"ply", "obj", "json"}));
+      ->check(CLI::IsMember(std::vector<std::string>(formats.begin(), formats.end())));
   command->add_flag("--all", options->all, "Background as well as objects");
   command
       ->add_option("--tolerance", options->tolerance,

@@ -25,6 +25,7 @@
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/scene_format.h"
 #include "gestalt/io/scene/scene_path.h"
+#include "gestalt/io/scene/yaml_document.h"
 
 namespace gestalt::app::info_command {
 
@@ -169,15 +170,15 @@ Description describe_json(const fs::path& file) try {
   if (format == "gestalt-result") return describe_result(file, content);
   return describe_camera_file(file);
 } catch (const nlohmann::json::exception& error) {
-  fail(file, std::string("is no complete model or result: ") + error.what());
+  fail(file, std::string("is not a complete model or result: ") + error.what());
 }
 
 Description describe_yaml(const fs::path& file) {
   YAML::Node content;
   try {
-    content = YAML::Load(read_bytes(file, largest_yaml));
+    content = load_yaml_document(read_bytes(file, largest_yaml));
   } catch (const YAML::Exception& error) {
-    fail(file, std::string("is no YAML: ") + error.what());
+    fail(file, std::string("is not valid YAML: ") + error.what());
   }
   if (content.IsMap() && (content["schema_version"] || content["extends"])) {
     Description sections = Description::array();

@@ -84,10 +84,19 @@ LoadedConfig load_config_of(const Result& result, const PipelineOptions& options
   if (!config || !config->is_object() || !config->contains("values") || !config->at("values").is_object())
     throw InputError(result.file.string() + ": has no config; give it with --config");
   json values = config->at("values");
+  const json directories = values.value("plugin_directories", json::array());
   values.erase("plugin_directories");
   ConfigTree tree = ConfigTree::from_text(
       result.file.string() + ": config", values.dump(1, ' ', false, json::error_handler_t::replace), options.overrides);
-  return LoadedConfig(std::move(tree));
+  const bool replaced = !tree.plugin_directories().empty();
+  try {
+    return LoadedConfig(std::move(tree));
+  } catch (const ConfigError& error) {
+    if (directories.empty() || replaced) throw;
+    const std::string given = directories.dump(-1, ' ', false, json::error_handler_t::replace);
+    throw ConfigError(std::string(error.what()) + "\n  not searched, as a result may come from a stranger: " + given +
+                      "; where you trust what lies there, add --set 'plugin_directories=" + given + "'");
+  }
 }
 
 json inspect_result(const Result& result, const Options& options) {
@@ -121,7 +130,7 @@ void add_inspect(CLI::App& app, Run& run) {
       ->type_name("FILE");
   command
       ->add_option("--scene", options->scenes,
-                   "Where the scene is, or a folder of scenes, when it is no more where the result says")
+                   "Where the scene is, or a folder of scenes, when it is no longer where the result says")
       ->type_name("PATH");
   add_reading_options(*command, options->reading);
   add_pipeline_options(*command, options->pipeline);

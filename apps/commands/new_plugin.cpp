@@ -82,7 +82,7 @@ void check(const Options& options) {
                       " (known: " + known + ")");
   }
   if (!std::regex_match(options.name, std::regex("[a-z]([a-z0-9]|_(?=[a-z0-9]))*")))
-    throw ConfigError("'" + options.name + "' is no name for a plugin: lower-case letters, digits and single " +
+    throw ConfigError("'" + options.name + "' is not a valid plugin name: lower-case letters, digits and single " +
                       "underscores, such as my_relation");
   if (const Registry registry(plugin_search_path({})); registry.find(options.kind, options.name))
     throw ConfigError("there is a " + options.kind + " '" + options.name + "' already, in " +

@@ -93,7 +93,7 @@ ComponentInfo find(const Registry& registry, const std::vector<std::string>& wor
   const std::string& name = words.back();
   if (words.size() == 2) {
     if (std::find(kind_names.begin(), kind_names.end(), words[0]) == kind_names.end())
-      throw ConfigError("'" + words[0] + "' is no kind of component" +
+      throw ConfigError("'" + words[0] + "' is not a kind of component" +
                         did_you_mean(words[0], {kind_names.begin(), kind_names.end()}));
     registry.parameters(words[0], name);  // throws when there is none, naming what was searched
     return *registry.find(words[0], name);

@@ -21,7 +21,7 @@ namespace fs = std::filesystem;
 std::unique_ptr<FrameSource> open_source(const fs::path& source, bool follow) {
   if (follow && !fs::is_directory(source))
     throw ConfigError("--follow: " + source.string() +
-                      " is no folder; lines are followed without it, till their writer closes them");
+                      " is not a folder; lines are followed without it, till their writer closes them");
   if (source == "-") return std::make_unique<LineSource>(STDIN_FILENO, "standard input", fs::path());
   if (fs::exists(source) && is_scene(source))
     throw InputError(source.string() +

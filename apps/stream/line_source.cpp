@@ -30,8 +30,9 @@ std::optional<std::vector<fs::path>> LineSource::next(std::size_t at_most) {
   if (!paths.empty() || !ended_) return paths;
   // What is left of a name may be another scene's.
   if (!unread_.empty())
-    throw InputError(name_ + ":" + std::to_string(lines_ + 1) + ": the line '" + unread_.substr(0, 200) +
-                     "' has no end, as of a writer that died in it; let each line end, the last one, too");
+    throw InputError(
+        name_ + ":" + std::to_string(lines_ + 1) + ": the line '" + unread_.substr(0, 200) +
+        "' has no newline at its end: its writer may have died within it; end every line with one, the last one too");
   return std::nullopt;
 }
 
@@ -61,7 +62,7 @@ void LineSource::split(std::vector<fs::path>& paths, std::size_t at_most) {
     ++lines_;
     if (unread_.substr(begin, end - begin).find('\0') != unread_.npos)
       throw InputError(name_ + ":" + std::to_string(lines_) +
-                       ": has a NUL character, as no path has; give text with one path a line");
+                       ": contains a NUL character, which no path can; give text with one path a line");
     if (end > begin) paths.push_back(folder_ / unread_.substr(begin, end - begin));
   }
   unread_.erase(0, begin);

@@ -37,7 +37,7 @@ std::string file_digest(const std::filesystem::path& file) {
   std::error_code error;
   // Opening a pipe would wait for its writer.
   if (!std::filesystem::is_regular_file(file, error))
-    throw InputError(file.string() + ": is no regular file; copy it to one");
+    throw InputError(file.string() + ": is not a regular file; copy it to one");
   errno = 0;
   std::ifstream in(file, std::ios::binary);
   XXH3_state_t state;

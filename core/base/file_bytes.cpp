@@ -18,7 +18,7 @@ std::string read_bytes(const std::filesystem::path& file, std::uintmax_t most) {
   if (status.type() == std::filesystem::file_type::not_found) fail("does not exist; check the path");
   if (error) fail("cannot be read: " + error.message());
   if (status.type() == std::filesystem::file_type::directory) fail("is a folder; a file is needed here");
-  if (status.type() != std::filesystem::file_type::regular) fail("is no regular file; copy it to one");
+  if (status.type() != std::filesystem::file_type::regular) fail("is not a regular file; copy it to one");
 
   errno = 0;
   std::ifstream in(file, std::ios::binary);

@@ -64,7 +64,7 @@ class Builder {
   bool parse_error(std::size_t byte, const std::string&, const json::exception& problem) {
     const std::string place = name_ + ":" + place_of(byte, text_) + ": ";
     if (dynamic_cast<const json::out_of_range*>(&problem)) throw InputError(place + "the number is out of range");
-    throw InputError(place + "is no valid JSON from here on");
+    throw InputError(place + "is not valid JSON from here on");
   }
 
  private:

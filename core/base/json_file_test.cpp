@@ -37,8 +37,8 @@ TEST(Json, GivesTheValuesThatTheLibraryGives) {
 }
 
 TEST(Json, TellsWhereItIsNone) {
-  EXPECT_EQ(complaint("{\"a\": 1,\n  \"b\": oops}"), "a.json:2:8: is no valid JSON from here on");
-  EXPECT_EQ(complaint("{\"a\": 1} 2"), "a.json:1:10: is no valid JSON from here on");
+  EXPECT_EQ(complaint("{\"a\": 1,\n  \"b\": oops}"), "a.json:2:8: is not valid JSON from here on");
+  EXPECT_EQ(complaint("{\"a\": 1} 2"), "a.json:1:10: is not valid JSON from here on");
   EXPECT_NE(complaint(""), "");
   EXPECT_EQ(complaint("[1e999]"), "a.json:1:6: the number is out of range");
 }

@@ -146,7 +146,7 @@ class StagedFile {
     if (::fstatat(folder_, name_.c_str(), &status, AT_SYMLINK_NOFOLLOW) != 0) return;
     if (S_ISDIR(status.st_mode)) fail(file_, std::string("it is a folder") + choose_another);
     if (!S_ISREG(status.st_mode) && !S_ISLNK(status.st_mode))
-      fail(file_, std::string("it is no regular file") + choose_another);
+      fail(file_, std::string("it is not a regular file") + choose_another);
   }
 
   /// A new file with a lock, without which it would count as abandoned where it has been taken away before that.

@@ -56,8 +56,8 @@ class GESTALT_EXPORT ConfigTree {
   /// Reads a config; where there is no such file, the installed config of that name, and so for what it extends.
   /// overrides are "path=value" of the command line, applied in order: `structural.relations.gabor=off`
   /// takes a component out of a list, `=on` puts one in, any other path sets a value.
-  /// Throws ConfigError when a file cannot be read or is no YAML, or extends itself; what else is wrong is reported by
-  /// resolve(), all together.
+  /// Throws ConfigError when a file cannot be read or is not valid YAML, or extends itself; what else is wrong is
+  /// reported by resolve(), all together.
   ConfigTree(const std::filesystem::path& file, const std::vector<std::string>& overrides);
 
   /// The same of a text, which extends nothing: YAML, or JSON as to_json() has it under "values". name is what messages

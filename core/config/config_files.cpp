@@ -26,6 +26,9 @@ std::string read_text(const fs::path& file) {
   std::error_code ignored;
   if (fs::is_directory(file, ignored))
     throw ConfigError("cannot read config '" + file.string() + "': it is a directory");
+  // Opening a pipe would wait for its writer, and a device may have no end.
+  if (fs::exists(file, ignored) && !fs::is_regular_file(file, ignored))
+    throw ConfigError("cannot read config '" + file.string() + "': it is a pipe or device; copy it to a regular file");
   errno = 0;
   std::ifstream stream(file, std::ios::binary);
   std::string text(largest_file + 1, '\0');
@@ -34,7 +37,7 @@ std::string read_text(const fs::path& file) {
     throw ConfigError("cannot read config '" + file.string() + "': " + std::generic_category().message(errno));
   text.resize(std::size_t(stream.gcount()));
   if (text.size() > largest_file)
-    throw ConfigError("cannot read config '" + file.string() + "': it is larger than 1 MiB, so it is no config");
+    throw ConfigError("cannot read config '" + file.string() + "': it is larger than 1 MiB, so it is not a config");
   return text;
 }
 

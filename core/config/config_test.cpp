@@ -4,6 +4,7 @@
 #include "gestalt/core/config/config.h"
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <clocale>
 #include <cstdio>
@@ -418,7 +419,14 @@ TEST_F(ConfigTest, AFileThatCannotBeReadIsAnErrorAtOnce) {
   EXPECT_EQ(errors(write("top.yaml", "schema_version: 1\nextends: none.yaml\n")),
             Lines{"top.yaml:2:10: extends: cannot read config 'none.yaml': No such file or directory"});
   EXPECT_NE(errors(folder_).at(0).find("it is a directory"), std::string::npos);
-  EXPECT_NE(errors_of_text("a: [1\nb: 2\n").at(0).find("test.yaml:2:2: a[1]: this is no YAML: "), std::string::npos);
+  ASSERT_EQ(::mkfifo((folder_ / "pipe.yaml").c_str(), 0600), 0);  // opened, it would wait for a writer
+  EXPECT_EQ(errors(folder_ / "pipe.yaml"),
+            Lines{"cannot read config 'pipe.yaml': it is a pipe or device; copy it to a regular file"});
+  EXPECT_NE(errors(write("above.yaml", "schema_version: 1\nextends: pipe.yaml\n")).at(0).find("it is a pipe"),
+            std::string::npos);
+  EXPECT_NE(errors("/dev/zero").at(0).find("it is a pipe or device"), std::string::npos);
+  EXPECT_NE(errors_of_text("a: [1\nb: 2\n").at(0).find("test.yaml:2:2: a[1]: this is not valid YAML: "),
+            std::string::npos);
   EXPECT_EQ(errors_of_text("").at(0), "test.yaml:1:1: the file is empty; a config begins with 'schema_version: 1'");
   EXPECT_EQ(errors_of_text("gabor").at(0), "test.yaml:1:1: expected keys and values, got 'gabor'");
 }

@@ -185,7 +185,7 @@ Node parse_yaml(const std::string& text, const std::shared_ptr<const Source>& so
     while (parser.HandleNextDocument(builder)) {
     }
   } catch (const YAML::Exception& error) {
-    builder.fail(error.mark, "this is no YAML: " + error.msg);
+    builder.fail(error.mark, "this is not valid YAML: " + error.msg);
   }
   Node root = builder.take();
   if (root.place.source == nullptr) root.place.source = source;

@@ -7,7 +7,8 @@
 
 namespace gestalt {
 
-/// Work that is done by threads that the caller's own parallel loops leave idle; the rest of it by whoever waits.
+/// Work that is done by threads that the caller's own parallel loops leave idle, no more of them than the caller may
+/// use; the rest of it by the thread that waits.
 class Aside {
  public:
   template <class Work>
@@ -32,7 +33,7 @@ class Aside {
   }
 
  private:
-  tbb::task_arena arena_{tbb::task_arena::automatic, 1, tbb::task_arena::priority::low};
+  tbb::task_arena arena_{tbb::this_task_arena::max_concurrency(), 1, tbb::task_arena::priority::low};
   tbb::task_group_context context_{tbb::task_group_context::isolated};
   tbb::task_group group_{context_};
   bool waited_ = false;

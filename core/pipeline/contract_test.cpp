@@ -11,6 +11,7 @@
 #include <nlohmann/json.hpp>
 #include <thread>
 
+#include "checked_fitter.h"
 #include "gestalt/core/pipeline/learning_set.h"
 #include "gestalt/core/pipeline/segmenter.h"
 #include "gestalt/core/plugin/plugin.h"
@@ -63,10 +64,12 @@ struct NoMeasure final : Relation {
 
 /// Segments a scene with the default config but for the one component; gives what is thrown.
 template <class Kind>
-std::string failure(const std::string& override, std::function<std::unique_ptr<Kind>()> make) {
+std::string failure(const std::string& override, std::function<std::unique_ptr<Kind>()> make,
+                    std::vector<std::string> overrides = {}) {
+  overrides.push_back(override);
   Registry registry(plugin_search_path({}));
   add<Kind>(registry, "given", std::move(make));
-  const LoadedConfig loaded(ConfigTree(default_config(), {override}), std::move(registry));
+  const LoadedConfig loaded(ConfigTree(default_config(), overrides), std::move(registry));
   const Pipeline pipeline(loaded.config, loaded.registry);
   const auto known = test::ridge(true);
   try {
@@ -148,6 +151,169 @@ TEST(Contract, OfARelation) {
   const std::string message =
       failure<Relation>("structural.relations.given=on", [] { return std::make_unique<NoMeasure>(); });
   EXPECT_NE(message.find("relation 'given' gave no measure"), std::string::npos) << message;
+}
+
+/// A fitter of planes whose answers are spoilt.
+struct SpoiltFitter final : Fitter {
+  struct Spoil {
+    float point = 0, normal = 0, squared_distance = 0, parameter = 0;  // added
+    double in_json = 0, count = 0;
+    std::string throws{};
+  };
+  struct Spoilt final : SurfaceModel {
+    Spoil spoil;
+    std::shared_ptr<const SurfaceModel> plane;
+    Spoilt(Spoil how, std::shared_ptr<const SurfaceModel> sound) : spoil(std::move(how)), plane(std::move(sound)) {}
+    std::string type() const override { return "plane"; }  // copied from another plugin, as it may happen
+    Foot foot(const Eigen::Vector3f& p) const override {
+      if (spoil.throws == "foot") throw std::runtime_error("made to");
+      Foot foot = plane->foot(p);
+      foot.point.z() += spoil.point, foot.normal.x() += spoil.normal;
+      return foot;
+    }
+    float squared_distance(const Eigen::Vector3f& p) const override {
+      return plane->squared_distance(p) + spoil.squared_distance;
+    }
+    std::optional<Eigen::Vector2d> parameters(const Eigen::Vector3f& p) const override {
+      return Eigen::Vector2d(p.x() + spoil.parameter, p.y());
+    }
+    nlohmann::json to_json() const override { return {{"type", "plane"}, {"more", {1.0, spoil.in_json}}}; }
+  };
+
+  Spoil spoil;
+  explicit SpoiltFitter(Spoil how) : spoil(std::move(how)) {}
+  double parameter_count() const override { return 4 + spoil.count; }
+  std::shared_ptr<const SurfaceModel> fit(std::span<const Eigen::Vector3f> points) const override {
+    if (spoil.throws == "fit") throw std::runtime_error("made to");
+    return std::make_shared<Spoilt>(spoil, test::exact_plane(points.front(), {0, 0, -1}));
+  }
+  std::shared_ptr<const SurfaceModel> fit_merged(const SurfaceModel& a, std::span<const Eigen::Vector3f> points,
+                                                 const SurfaceModel& b,
+                                                 std::span<const Eigen::Vector3f>) const override {
+    EXPECT_TRUE(dynamic_cast<const Spoilt*>(&a) && dynamic_cast<const Spoilt*>(&b)) << "its own surfaces";
+    return fit(points);
+  }
+};
+
+// Relations ask for closest points, results for parameters; neither is to blame for what they get.
+TEST(Contract, OfAFitter) {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const auto spoilt = [](SpoiltFitter::Spoil spoil) {
+    return failure<Fitter>("primitive.fitters.given=on", [spoil] { return std::make_unique<SpoiltFitter>(spoil); },
+                           {"primitive.fitters.plane=off"});
+  };
+  EXPECT_EQ(spoilt({}), "");
+  const std::vector<std::pair<std::string, SpoiltFitter::Spoil>> faults{
+      {"gave a surface whose closest point", {.point = nan}},
+      {"gave a surface whose closest point", {.normal = -std::numeric_limits<float>::infinity()}},
+      {"gave a surface whose distance", {.squared_distance = nan}},
+      {"gave a surface whose distance", {.squared_distance = -9}},
+      {"gave a number of parameters", {.count = double(nan)}},
+      {"failed: made to", {.throws = "fit"}},
+      {"failed: made to", {.throws = "foot"}}};
+  for (const auto& [words, spoil] : faults) {
+    const std::string message = spoilt(spoil);
+    EXPECT_NE(message.find("fitter 'given' " + words), std::string::npos) << words << ": " << message;
+  }
+}
+
+TEST(Contract, OfASurfaceInAResult) {
+  constexpr float nan = std::numeric_limits<float>::quiet_NaN();
+  const std::vector<Eigen::Vector3f> points{{0, 0, 1}};
+  const auto message = [&](SpoiltFitter::Spoil spoil, const auto& ask) -> std::string {
+    const auto fitter = checked_fitter(std::make_shared<SpoiltFitter>(spoil), "given");
+    try {
+      ask(*fitter->fit(points));
+    } catch (const PluginError& error) {
+      return error.what();
+    }
+    return "";
+  };
+  const auto parameters = [&](const SurfaceModel& surface) { surface.parameters(points[0]); };
+  const auto json = [](const SurfaceModel& surface) { surface.to_json(); };
+  EXPECT_EQ(message({}, parameters), "");
+  EXPECT_EQ(message({}, json), "");
+  EXPECT_NE(message({.parameter = nan}, parameters).find("fitter 'given' gave parameters"), std::string::npos);
+  EXPECT_NE(message({.in_json = double(nan)}, json).find("fitter 'given' gave a surface"), std::string::npos);
+}
+
+/// Notes the component that is at work when it is destroyed.
+struct Witness {
+  std::vector<std::string>& seen;
+  explicit Witness(std::vector<std::string>& names) : seen(names) {}
+  Witness(const Witness&) = delete;
+  Witness& operator=(const Witness&) = delete;
+  ~Witness() { seen.emplace_back(own_component() ? own_component() : "none"); }
+};
+
+// What a destructor does, the crash report says of its component, not of the one that was called last.
+TEST(RunningComponent, IsTheOneWhoseDestructorRuns) {
+  struct Observed final : Relation {
+    struct Seen final : Observation {
+      Witness witness;
+      explicit Seen(std::vector<std::string>& names) : witness(names) {}
+    };
+    struct Zero final : Measure {
+      Witness witness;
+      explicit Zero(std::vector<std::string>& names) : witness(names) {}
+      void operator()(const SurfacePair&, std::span<double> values) const override { values[0] = 0; }
+    };
+    std::vector<std::string>&own, &measures, &observations;
+    Witness witness{own};
+    Observed(std::vector<std::string>& a, std::vector<std::string>& b, std::vector<std::string>& c)
+        : own(a), measures(b), observations(c) {}
+    const std::vector<RelationValue>& values() const override {
+      static const std::vector<RelationValue> values{{"r_none", 0, 1, "nothing"}};
+      return values;
+    }
+    std::unique_ptr<Observation> observe(const Images&) const override { return std::make_unique<Seen>(observations); }
+    std::unique_ptr<Measure> bind(const Scene&) const override { return std::make_unique<Zero>(measures); }
+  };
+  std::vector<std::string> own, measures, observations;
+  EXPECT_EQ(failure<Relation>("structural.relations.given=on",
+                              [&] { return std::make_unique<Observed>(own, measures, observations); }),
+            "");
+  EXPECT_EQ(own, std::vector<std::string>{"relation 'given'"});
+  EXPECT_EQ(measures, std::vector<std::string>{"relation 'given'"});
+  ASSERT_EQ(observations.size(), 1u);
+  EXPECT_NE(observations[0].find("relation '"), std::string::npos) << observations[0];
+  EXPECT_NE(observations[0].find("'given'"), std::string::npos) << observations[0];
+
+  struct Learner final : Classifier {
+    struct Learned final : Predictor {
+      Witness witness;
+      explicit Learned(std::vector<std::string>& names) : witness(names) {}
+      double probability(std::span<const double>) const override { return 0.5; }
+      nlohmann::json state() const override { return 0; }
+    };
+    std::vector<std::string>& seen;
+    explicit Learner(std::vector<std::string>& names) : seen(names) {}
+    std::unique_ptr<Predictor> train(const Samples&) const override { return std::make_unique<Learned>(seen); }
+    std::unique_ptr<Predictor> restore(const nlohmann::json&, std::size_t) const override { return nullptr; }
+  };
+  std::vector<std::string> predictors;
+  EXPECT_EQ(failure<Classifier>("structural.classifier=given", [&] { return std::make_unique<Learner>(predictors); }),
+            "");
+  EXPECT_EQ(predictors, std::vector<std::string>{"classifier 'given'"});
+
+  struct Witnessed final : SurfaceModel {
+    Witness witness;
+    explicit Witnessed(std::vector<std::string>& names) : witness(names) {}
+    std::string type() const override { return "given"; }
+    Foot foot(const Eigen::Vector3f& p) const override { return {p, {0, 0, -1}}; }
+    nlohmann::json to_json() const override { return {}; }
+  };
+  struct FitterOfWitnesses final : Fitter {
+    std::vector<std::string>& seen;
+    explicit FitterOfWitnesses(std::vector<std::string>& names) : seen(names) {}
+    double parameter_count() const override { return 1; }
+    std::shared_ptr<const SurfaceModel> fit(std::span<const Eigen::Vector3f>) const override {
+      return std::make_shared<Witnessed>(seen);
+    }
+  };
+  std::vector<std::string> surfaces;
+  checked_fitter(std::make_shared<FitterOfWitnesses>(surfaces), "given")->fit({});
+  EXPECT_EQ(surfaces, std::vector<std::string>{"fitter 'given'"});
 }
 
 TEST(RunningComponent, IsThatOfTheThreadElseTheLastBegun) {

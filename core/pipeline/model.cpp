@@ -60,7 +60,7 @@ json read(const fs::path& file) {
   try {
     return parse_json(file.string(), text);
   } catch (const InputError& error) {
-    throw ModelError(std::string(error.what()) + ", so it is no model; " + retrain);
+    throw ModelError(std::string(error.what()) + ", so it is not a model; " + retrain);
   }
 }
 
@@ -129,7 +129,8 @@ Model train_model(const Classifier& classifier, std::string classifier_name, std
   for (std::size_t i = 0; i < samples.rows(); ++i)
     scaling.apply(samples.row(i), {scaled.values.data() + i * samples.columns, samples.columns});
   const ComponentName name = component_name("classifier", classifier_name);
-  std::shared_ptr<const Predictor> predictor = call_component(name, [&] { return classifier.train(scaled); });
+  std::shared_ptr<const Predictor> predictor =
+      call_component(name, [&] { return owned(name, classifier.train(scaled)); });
   if (!predictor) throw PluginError(std::string(name) + " learned nothing; report this to its author");
   return {std::move(names),    scaling, std::move(classifier_name), std::move(config_hash), std::move(training),
           std::move(predictor)};
@@ -154,8 +155,8 @@ json to_json(const Model& model) {
 /// The model's format and version are those of this program.
 void check_format(const fs::path& file, const json& document) {
   if (!document.is_object() || document.value("format", json()) != format)
-    fail(file,
-         std::string("is no model: 'format' is not \"") + format + "\"; name a file that `gestalt train` has written");
+    fail(file, std::string("is not a model: 'format' is not \"") + format +
+                   "\"; name a file that `gestalt train` has written");
   if (document.value("version", json()) != version)
     fail(file, "has version " + document.value("version", json()).dump(-1, ' ', false, json::error_handler_t::replace) +
                    " of the model format, this program reads version " + std::to_string(version) + "; " + retrain);
@@ -192,7 +193,9 @@ Model read_level(const fs::path& file, const json& document, Level level, const 
                    expected.classifier_name + "'; " + retrain + ", or set " + level_name + ".classifier to " +
                    model.classifier);
   try {
-    model.predictor = expected.classifier.restore(state, model.names.size());
+    const ComponentName name = component_name("classifier", model.classifier);
+    model.predictor =
+        call_component(name, [&] { return owned(name, expected.classifier.restore(state, model.names.size())); });
   } catch (const std::exception& error) {
     fail(file, "is damaged: the state of its classifier '" + model.classifier + "' of the " + level_name +
                    " level: " + error.what() + "; " + retrain);

@@ -11,6 +11,7 @@
 #include <numeric>
 
 #include "aside.h"
+#include "checked_fitter.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/isolated.h"
 #include "gestalt/core/config/sensor_params.h"
@@ -75,6 +76,13 @@ ComponentName name_of_fitters(const std::vector<ComponentConfig>& fitters) {
   return component_name("fitter", names);
 }
 
+/// The same of relations, whose observations are destroyed in no order.
+ComponentName name_of_observers(const std::vector<NamedRelation>& relations) {
+  std::string names;
+  for (const NamedRelation& named : relations) names += (names.empty() ? "" : "', '") + named.name;
+  return component_name("relation", names);
+}
+
 /// Groups of surfaces as segments, largest first; equal sizes in order of their first surface.
 Segmentation assemble(const Percept& percept, Graph graph, const std::vector<int>& groups) {
   const SurfaceSet& surfaces = percept.surfaces();
@@ -118,7 +126,7 @@ Pipeline::Pipeline(Config config, const Registry& registry)
       solver_(registry.create<Solver>(config_.solver.plugin, config_.solver.params)),
       figure_ground_(FigureGroundParams::parameters().read(config_.figure_ground)) {
   for (const ComponentConfig& fitter : config_.fitters)
-    fitters_.push_back(registry.create<Fitter>(fitter.plugin, fitter.params));
+    fitters_.push_back(checked_fitter(registry.create<Fitter>(fitter.plugin, fitter.params), fitter.plugin));
   Known known;
   structural_ = make_grouping(config_.structural, registry, known);
   if (config_.with_assembly) assembly_ = make_grouping(config_.assembly.value(), registry, known);
@@ -237,7 +245,7 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
     percept.omitted_pairs = gestalt::omitted_pairs(percept.surfaces(), minimum_size);
   }
   measures.reset();
-  images->forget_observations();
+  call_component(name_of_observers(relations_), [&] { images->forget_observations(); });
   return percept;
 }
 

@@ -29,6 +29,21 @@ void check_values(const NamedRelation& named, std::span<const double> values) {
                         std::to_string(declared[i].high) + "]; report this to its author");
 }
 
+/// A measure whose destructor runs as its relation's.
+class OwnedMeasure final : public Measure {
+ public:
+  OwnedMeasure(ComponentName relation, std::unique_ptr<Measure> measure)
+      : measure_(owned(relation, std::move(measure))) {}
+
+  void operator()(const SurfacePair& pair, std::span<double> values) const override { (*measure_)(pair, values); }
+  void measure(std::span<const SurfacePair> pairs, std::span<double> values) const override {
+    measure_->measure(pairs, values);
+  }
+
+ private:
+  std::shared_ptr<const Measure> measure_;
+};
+
 /// Indices of the values that a level has of a relation.
 std::vector<std::size_t> kept(const NamedRelation& named) {
   const std::vector<RelationValue>& declared = named.relation->values();
@@ -169,9 +184,10 @@ Measures::Measures(const Scene& scene, const std::vector<NamedRelation>& relatio
   }
   tbb::parallel_for_each(measures_, [&](auto& entry) {
     const ComponentName name = names.at(entry.first);
-    entry.second = call_component(name, [&] { return entry.first->bind(scene); });
+    std::unique_ptr<Measure> measure = call_component(name, [&] { return entry.first->bind(scene); });
+    if (!measure) throw PluginError(std::string(name) + " gave no measure; report this to its author");
+    entry.second = std::make_unique<OwnedMeasure>(name, std::move(measure));
     deadline_.require(name);
-    if (!entry.second) throw PluginError(std::string(name) + " gave no measure; report this to its author");
   });
 }
 

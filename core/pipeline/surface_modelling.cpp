@@ -147,9 +147,6 @@ class SurfaceModeller {
     for (std::size_t i = 0; i < points.size() && sum <= enough; i += step) {
       const double sigma = params_.sigma * noise_.at(points[i].z());
       const double error = 1 - std::exp(-double(model.squared_distance(points[i])) / (sigma * sigma));
-      if (!(error >= 0))  // else it would win, and relations would be blamed for it
-        throw PluginError("fitter '" + model.type() + "' gave a surface whose distance to a point is negative or not " +
-                          "finite; report this to its author, or leave it out of the config");
       sum += share * error;
     }
     return sum;

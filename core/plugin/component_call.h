@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <memory>
 #include <new>
 #include <string>
 
@@ -25,21 +26,37 @@ class RunningComponent {
   ComponentName before_;
 };
 
-/// Lets a component work. What it throws that is no Error, as code of others may, becomes a PluginError with its name.
+/// What a component throws that is no Error, as code of others may, becomes a PluginError with its name.
 template <class Work>
-auto call_component(ComponentName name, const Work& work) {
-  const RunningComponent running(name);
+auto blame_component(ComponentName name, const Work& work) {
   try {
     return work();
   } catch (const Error&) {
     throw;
   } catch (const std::bad_alloc&) {
-    throw PluginError(std::string(name) + " failed: it got no more memory");
+    throw PluginError(std::string(name) + " failed: it ran out of memory");
   } catch (const std::exception& error) {
     throw PluginError(std::string(name) + " failed: " + error.what());
   } catch (...) {
-    throw PluginError(std::string(name) + " failed, and threw what has no message");
+    throw PluginError(std::string(name) + " failed with an exception that has no message");
   }
+}
+
+/// The same, and has running_component() give its name.
+template <class Work>
+auto call_component(ComponentName name, const Work& work) {
+  const RunningComponent running(name);
+  return blame_component(name, work);
+}
+
+/// A component, or what it made: its destructor is code of others, too.
+template <class T>
+std::shared_ptr<T> owned(ComponentName name, std::unique_ptr<T> product) {
+  if (!product) return nullptr;
+  return {product.release(), [name](T* last) {
+            const RunningComponent running(name);
+            delete last;
+          }};
 }
 
 }  // namespace gestalt

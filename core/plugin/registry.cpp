@@ -12,6 +12,7 @@
 #include <sstream>
 
 #include "gestalt/core/base/suggest.h"
+#include "gestalt/core/plugin/component_call.h"
 #include "gestalt/core/plugin/fingerprint.h"
 #include "gestalt/core/plugin/manifest.h"
 
@@ -75,7 +76,7 @@ void Registry::open(const fs::path& library) {
   try {
     boost::dll::shared_library handle(library.string(), load_mode);
     if (!handle.has(GESTALT_ENTRY_SYMBOL)) {
-      rejected_.push_back({library, "it has no symbol " GESTALT_ENTRY_SYMBOL ", so it is no plugin"});
+      rejected_.push_back({library, "it has no symbol " GESTALT_ENTRY_SYMBOL ", so it is not a plugin"});
       return;
     }
     manifest = handle.get<const gestalt_manifest*()>(GESTALT_ENTRY_SYMBOL)();
@@ -184,15 +185,15 @@ std::shared_ptr<const Kind> Registry::create(std::string_view name, const Parame
   const std::string who = std::string(kind_name<Kind>) + " '" + std::string(name) + "'";
   std::shared_ptr<const Kind> product;
   try {
-    product = typed->create(values);
+    product = owned(component_name(kind_name<Kind>, std::string(name)), typed->create(values));
   } catch (const ConfigError& error) {
     throw ConfigError(who + ": " + error.what());
   } catch (const std::exception& error) {
     throw PluginError(who + " could not be made: " + error.what());
   } catch (...) {
-    throw PluginError(who + " could not be made: its factory threw something that is no exception");
+    throw PluginError(who + " could not be made: its factory threw something other than an exception");
   }
-  if (!product) throw PluginError(who + " could not be made: its factory gave nothing");
+  if (!product) throw PluginError(who + " could not be made: its factory returned nothing");
   return product;
 }
 

@@ -340,7 +340,7 @@ Protocol find_protocol(const fs::path& data, int folds) {
   const bool has_learn = fs::is_directory(learn, error), has_test = fs::is_directory(test, error);
   if (has_test && !has_learn)
     throw InputError(learn.string() +
-                     ": is no folder, but there is a folder test; both sets are needed to train on "
+                     ": is not a folder, but there is a folder test; both sets are needed to train on "
                      "one and evaluate on the other");
   protocol.learn = find_scenes({has_learn ? learn : data});
   if (has_test) protocol.test = find_scenes({test});

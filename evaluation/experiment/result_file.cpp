@@ -34,7 +34,7 @@ double number_of(const Json& json) {
   if (text == "nan") return std::numeric_limits<double>::quiet_NaN();
   if (text == "inf") return infinity;
   if (text == "-inf") return -infinity;
-  throw Error("'" + text + "' is no number");
+  throw Error("'" + text + "' is not a number");
 }
 
 // One function for each type says which members it has under which names; writing and reading go through it.
@@ -163,7 +163,7 @@ std::optional<ExperimentResult> ResultFile::read(const std::function<void(const 
     const std::string text = read_bytes(file, largest_json);
     parse_json(file.string(), text);
     const Json json = Json::parse(text);  // in its order, which the checksum is of
-    if (json.at("format") != format_name) throw Error("it is no result of an experiment");
+    if (json.at("format") != format_name) throw Error("it is not the result of an experiment");
     if (json.at("key") != key_) throw Error("it belongs to another experiment");
     if (json.at("checksum") != digest(json.at("result").dump())) throw Error("its checksum is wrong");
     return result_of(json.at("result"));

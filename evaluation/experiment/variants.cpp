@@ -12,6 +12,7 @@
 #include "gestalt/core/pipeline/relation_table.h"
 #include "gestalt/core/plugin/relation.h"
 #include "gestalt/evaluation/experiment/ablation.h"
+#include "gestalt/io/scene/yaml_document.h"
 
 namespace gestalt {
 
@@ -59,9 +60,9 @@ class VariantsFile {
       throw ConfigError(error.what());
     }
     try {
-      return YAML::Load(text);
+      return load_yaml_document(text);
     } catch (const YAML::Exception& error) {
-      fail(error.mark, "is no YAML: " + error.msg);
+      fail(error.mark, "is not valid YAML: " + error.msg);
     }
   }
 

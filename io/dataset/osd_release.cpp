@@ -60,7 +60,7 @@ std::vector<std::string> find_osd_scenes(const fs::path& release) {
     if (!fs::is_directory(release / folder, error))
       throw InputError(
           (release / folder).string() +
-          ": is no folder; give the folder of the OSD release that holds disparity, image_color and annotation");
+          ": is not a folder; give the folder of the OSD release that holds disparity, image_color and annotation");
     for (fs::directory_iterator entry(release / folder, error); !error && entry != fs::directory_iterator();
          entry.increment(error))
       if (entry->path().extension() == ".png") names.insert(entry->path().stem().string());

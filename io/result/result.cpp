@@ -51,11 +51,7 @@ Json outlines_json(const Frame& frame, const SurfaceModel& model, const std::vec
     cv::approxPolyDP(line, corners, 1, true);
     Json vertices = Json::array();
     for (const cv::Point& corner : corners)
-      if (const auto place = model.parameters(frame.point(corner.y * frame.width() + corner.x));
-          place && !place->allFinite())
-        throw PluginError("fitter '" + model.type() + "' gave parameters of a point that are not finite; report this " +
-                          "to its author, or leave it out of the config");
-      else if (place)
+      if (const auto place = model.parameters(frame.point(corner.y * frame.width() + corner.x)); place)
         vertices.push_back({rounded(place->x()), rounded(place->y())});
     if (!vertices.empty()) outlines.push_back({{"hole", contour.hole}, {"vertices", std::move(vertices)}});
   }

@@ -22,7 +22,7 @@ namespace {
 
 constexpr double largest_length = 1e4;        // m, of a coordinate
 constexpr std::size_t most_vertices = 20000;  // of the outlines of one patch
-constexpr const char* remedy = "; make it anew with `gestalt segment`";
+constexpr const char* remedy = "; make it again with `gestalt segment`";
 
 [[noreturn]] void fail(const std::string& what) { throw ModelError(what); }  // gets its place from within()
 
@@ -158,7 +158,7 @@ StoredResult::Segment read_segment(const json& object, std::size_t patches, std:
 
 void check_format(const json& content) {
   if (!content.is_object() || !content.contains("format") || content["format"] != "gestalt-result")
-    fail("is no result of `gestalt segment`: it has no \"format\": \"gestalt-result\"");
+    fail("is not a result of `gestalt segment`: it has no \"format\": \"gestalt-result\"");
   if (count_field(content, "version") != 2) fail("is of another version of gestalt; its 'version' must be 2");
 }
 

@@ -5,7 +5,9 @@
 
 #include <algorithm>
 #include <nlohmann/json.hpp>
+#include <vector>
 
+#include "camera_formats.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/json_file.h"
 
@@ -22,7 +24,8 @@ json read_cameras(const fs::path& scene) {
   const fs::path file = scene / bop_cameras_file;
   json cameras = read_json(file, largest_cameras);
   if (!cameras.is_object() || cameras.empty())
-    throw InputError(file.string() + ": is no map of image numbers to cameras, in JSON; take the file of the data set");
+    throw InputError(file.string() +
+                     ": is not a map of image numbers to cameras, in JSON; take the file of the data set");
   return cameras;
 }
 
@@ -33,7 +36,8 @@ std::vector<int> bop_image_numbers(const fs::path& scene) {
   const json cameras = read_cameras(scene);
   for (const auto& [key, camera] : cameras.items()) {
     if (key.empty() || key.size() > 6 || key.find_first_not_of("0123456789") != key.npos)
-      throw InputError((scene / bop_cameras_file).string() + ": '" + key.substr(0, 40) + "' is no number of an image");
+      throw InputError((scene / bop_cameras_file).string() + ": '" + key.substr(0, 40) +
+                       "' is not the number of an image");
     numbers.push_back(std::stoi(key));
   }
   std::sort(numbers.begin(), numbers.end());
@@ -50,16 +54,17 @@ CameraFile read_bop_camera(const fs::path& scene, int number, cv::Size size) {
   const auto is_number = [](const json& value) { return value.is_number(); };
   if (!k.is_array() || k.size() != 9 || !std::all_of(k.begin(), k.end(), is_number))
     fail("cam_K must be a list of 9 numbers");
-  const auto lies_in = [](const json& value, double low, double high) {
-    return value.get<double>() >= low && value.get<double>() <= high;
-  };
-  if (!lies_in(k[0], 0.01, 1e7) || !lies_in(k[4], 0.01, 1e7) || !lies_in(k[2], 0, size.width) ||
-      !lies_in(k[5], 0, size.height))
+  CameraFile camera(Camera{size.width, size.height, 0, 0, 0, 0});
+  if (const std::string wrong = take_matrix(k.get<std::vector<double>>(), camera); !wrong.empty())
+    fail("cam_K " + wrong);
+  const Camera& c = camera.camera;
+  const auto lies_in = [](double value, double low, double high) { return value >= low && value <= high; };
+  if (!lies_in(c.fx, 0.01, 1e7) || !lies_in(c.fy, 0.01, 1e7) || !lies_in(c.cx, 0, size.width) ||
+      !lies_in(c.cy, 0, size.height))
     fail("cam_K must have focal lengths from 0.01 to 1e7 pixels and its principal point in the image");
   const json scale = entry.value("depth_scale", json(1.0));  // millimetres a unit
   if (!scale.is_number() || !(scale.get<double>() >= 1e-3 && scale.get<double>() <= 1000))
     fail("depth_scale must be a number from 0.001 to 1000, millimetres for each unit of the depth image");
-  CameraFile camera(Camera{size.width, size.height, k[0], k[4], k[2], k[5]});
   camera.depth_scale = scale.get<double>() / 1000;
   camera.file = file;
   return camera;

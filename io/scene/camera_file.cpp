@@ -12,6 +12,7 @@
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
 #include "gestalt/io/scene/input.h"
+#include "gestalt/io/scene/yaml_document.h"
 #include "most_pixels.h"
 
 namespace gestalt {
@@ -38,9 +39,9 @@ std::string known_formats() {
 
 YAML::Node parse_yaml(const fs::path& file, const std::string& text) {
   try {
-    return YAML::Load(text);
+    return load_yaml_document(text);
   } catch (const YAML::Exception& error) {
-    fail(file, error.mark.is_null() ? YAML::Mark() : error.mark, "is no YAML: " + error.msg);
+    fail(file, error.mark.is_null() ? YAML::Mark() : error.mark, "is not valid YAML: " + error.msg);
   }
 }
 
@@ -64,7 +65,7 @@ YAML::Node parse_xml(const fs::path& file, const std::string& text) {
   try {
     read_xml(in, tree, boost::property_tree::xml_parser::no_comments);
   } catch (const boost::property_tree::xml_parser_error& error) {
-    throw InputError(file.string() + ":" + std::to_string(error.line()) + ": is no XML: " + error.message());
+    throw InputError(file.string() + ":" + std::to_string(error.line()) + ": is not valid XML: " + error.message());
   }
   const auto storage = tree.get_child_optional("opencv_storage");
   return yaml_of(storage ? *storage : tree);
@@ -110,7 +111,7 @@ std::optional<CameraFile> read_nested(const fs::path& file, const YAML::Node& ro
 }
 
 CameraFile read_entries(const fs::path& file, const YAML::Node& root, bool json) {
-  const std::string unknown = "is no camera file; it may be one of: " + known_formats();
+  const std::string unknown = "is not a camera file; it may be one of: " + known_formats();
   if (!root.IsMap()) fail(file, {}, unknown);
   CameraEntries entries(file, root, json);
   const CameraFormat* format = format_of(entries);

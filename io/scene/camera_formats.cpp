@@ -196,7 +196,7 @@ CameraFile read_kalibr(CameraEntries& entries) {
   take_any_size(entries, result);
   const std::string model = entries.word("camera_model");
   if (!model.empty() && model != "pinhole")
-    entries.complain("camera_model", "the camera model " + shown(model) + " is no pinhole" + how_to_rectify);
+    entries.complain("camera_model", "the camera model " + shown(model) + " is not a pinhole camera" + how_to_rectify);
   take_lens_of_list(entries, result);
   const auto numbers = entries.numbers("intrinsics");
   if (!numbers) return result;

@@ -74,7 +74,7 @@ TEST_F(CameraFormats, OfOpenCv) {
       "<?xml version=\"1.0\"?>\n<opencv_storage>\n<image_width>640</image_width><image_height>480</image_height>\n"
       "<camera_matrix type_id=\"opencv-matrix\"><rows>3</rows><cols>3</cols><dt>d</dt><data>\n"
       "525. 0. 3.195e+02 0. 5.265e2 239.25 0. 0. 1.</data></camera_matrix></opencv_storage>\n");
-  EXPECT_NE(refusal("<a><b></a>").find("is no XML"), std::string::npos);
+  EXPECT_NE(refusal("<a><b></a>").find("is not valid XML"), std::string::npos);
 }
 
 TEST_F(CameraFormats, OfMatricesInJson) {
@@ -172,11 +172,20 @@ TEST_F(CameraFormats, WhatIsMissingIsNamedWithTheFormat) {
   expect("{\"width\": 640, \"height\": 480, \"intrinsic_matrix\": [1, 2]}", "(read as Open3D's intrinsics)");
   expect("cam0: {intrinsics: [1, 2, 3, 4], resolution: [6, 8]}\ncam1: {intrinsics: [1, 2, 4, 4], resolution: [6, 8]}\n",
          "holds several cameras ('cam0', 'cam1', ...)");
-  expect("some: thing\n", "is no camera file; it may be one of: ORB-SLAM's settings");
-  expect("cam0: {camera_model: omni, intrinsics: [1, 2, 3, 4, 5]}\n", "is no pinhole");
+  expect("some: thing\n", "is not a camera file; it may be one of: ORB-SLAM's settings");
+  expect("cam0: {camera_model: omni, intrinsics: [1, 2, 3, 4, 5]}\n", "is not a pinhole camera");
   expect("width: 6\nheight: 4\ndistortion_model: double_sphere\nD: [0.1]\nK: " + rows + "\n",
          "'double_sphere' cannot be read");
   expect("width: 6\nheight: 4\nK: [1, 0.5, 3, 0, 1, 2, 0, 0, 1]\n", "has skew axes");
+  for (const std::string key : {"K: ", "camera_matrix: ", "mtx: ", "intrinsic_matrix: ", "cam_K: ", "intrinsics: "}) {
+    expect(key + "[9, 5, 3, 0, 9, 2, 0, 0, 1]\n", "has skew axes");
+    expect(key + "[9, 0, 3, 0, 9, 2, 0, 0, 2]\n", "must have the row 0 0 1");
+    expect(key + "[[9, 0, 3], [1, 9, 2], [0, 0, 1]]\n", "has skew axes");
+  }
+  expect("9 5 3\n0 9 2\n0 0 1\n", "has skew axes");
+  expect("K: " + rows + "\n---\nK: " + rows + "\n", ":3:1: is not valid YAML: a second document begins here");
+  expect("width: 6\nheight: 4\nfx: 1\nfy: 1\ncx: 1\ncy: 1\n---\nfx: 2\n", "a second document");
+  expect("9 0 3\n0 9 2\n0 0 0.5\n", "must have the row 0 0 1");
 }
 
 TEST_F(CameraFormats, MayBeText16BitsWide) {

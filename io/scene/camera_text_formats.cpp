@@ -77,7 +77,8 @@ CameraFile read_pincam(const fs::path& file, std::string_view text) {
   const std::vector<double> n = plain_numbers(text);
   const auto is_side = [](double side) { return side >= 1 && side <= longest_side && side == std::floor(side); };
   if (!is_side(n[0]) || !is_side(n[1]))
-    fail_at(file, 1, "six numbers must be width, height, fx, fy, cx and cy; the first two are no size of an image");
+    fail_at(file, 1,
+            "six numbers must be width, height, fx, fy, cx and cy; the first two are not the size of an image");
   return Camera{int(n[0]), int(n[1]), n[2], n[3], n[4], n[5]};
 }
 
@@ -134,7 +135,7 @@ CameraFile read_colmap(const fs::path& file, std::string_view text) {
   std::vector<double> numbers;
   for (std::size_t i = 2; i < line.words.size(); ++i) {
     const auto value = number_of(line.words[i]);
-    if (!value) fail_at(file, line.number, shown(line.words[i]) + " is no number");
+    if (!value) fail_at(file, line.number, shown(line.words[i]) + " is not a number");
     numbers.push_back(*value);
   }
   const std::size_t expected = 2 + model.focal_lengths + 2 + model.coefficients;

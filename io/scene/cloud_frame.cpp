@@ -98,7 +98,7 @@ std::optional<FrameChange> of_viewpoint(const PointCloud& cloud) {
                          2 * (x * z - w * y), 2 * (y * z + w * x), 1 - 2 * (x * x + y * y));
   const cv::Vec3d position(v[0], v[1], v[2]);
   if (cv::norm(pose - cv::Matx33d::eye()) < 1e-9 && cv::norm(position) < 1e-9) return std::nullopt;
-  return FrameChange{pose.t(), -(pose.t() * position), "the frame that VIEWPOINT is told in"};
+  return FrameChange{pose.t(), -(pose.t() * position), "the frame that VIEWPOINT is given in"};
 }
 
 FrameChange then(const FrameChange& first, const FrameChange& second) {

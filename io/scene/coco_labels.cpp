@@ -26,7 +26,7 @@ using Mask = cv::Mat_<std::uint8_t>;
 [[noreturn]] void fail(const std::string& what) { throw InputError(what); }
 
 double number(const json& value) {
-  if (!value.is_number()) fail("has no number where one must be");
+  if (!value.is_number()) fail("has something other than a number where one must be");
   return value.get<double>();
 }
 
@@ -120,7 +120,7 @@ Mask mask_of(const json& segmentation, cv::Size size, Budget& budget) {
     return mask;
   }
   if (!segmentation.is_object() || !segmentation.contains("counts"))
-    fail("has no segmentation of polygons, or with counts");
+    fail("has no segmentation, neither polygons nor counts");
   const json extent = segmentation.value("size", json());
   if (extent != json({size.height, size.width})) fail("its segmentation is of another size than the image");
   const json& counts = segmentation.at("counts");
@@ -162,7 +162,7 @@ cv::Mat_<int> read_coco_labels(const fs::path& file, cv::Size size, const std::s
   const json content = read_json(file, largest_file);
   const auto has_list = [&](const char* key) { return content.contains(key) && content.at(key).is_array(); };
   if (!content.is_object() || !has_list("images") || !has_list("annotations"))
-    fail("is no file of COCO: it has no lists images and annotations");
+    fail("is not a COCO file: it has no lists images and annotations");
   const json id = image_id(content, size, stem);
   std::vector<std::pair<int, int>> areas;  // of each object, with its number
   std::vector<const json*> segmentations;

@@ -27,7 +27,7 @@ cv::Affine3d read_extrinsics(const fs::path& file) {
   for (std::size_t i = 0; i < values.size(); ++i) pose.val[i] = values[i];
   const cv::Matx33d turn = pose.get_minor<3, 3>(0, 0);
   if (cv::norm(turn * turn.t() - cv::Matx33d::eye()) > 1e-2 || cv::determinant(turn) < 0)
-    fail("its first three columns are no rotation");
+    fail("its first three columns are not a rotation");
   if (std::hypot(pose(0, 3), pose(1, 3), pose(2, 3)) > 2)
     fail("the cameras are more than 2 m from each other");  // millimetres, most likely
   return {turn, cv::Vec3d(pose(0, 3), pose(1, 3), pose(2, 3))};

@@ -52,7 +52,7 @@ DepthReading float_reading(const cv::Mat_<float>& raw, const ReadOptions& option
 void set_frame(Input& input, const std::string& name, const cv::Mat& colour, DepthReading depth, const Camera& camera) {
   if (depth.kind == DepthKind::rotated && !depth.whole_numbers)
     throw InputError(name +
-                     ": its depth is no whole numbers of 16 bits, whose bits could be rotated; leave out "
+                     ": its depth is not 16-bit whole numbers, whose bits could be rotated; leave out "
                      "--depth-kind rotated");
   if (depth.whole_numbers) drop_largest(depth);
   question_depth(name, depth, camera, input.warnings);

@@ -69,7 +69,7 @@ cv::Mat_<int> objects_of_colours(cv::Mat_<int> colours, const cv::Mat& measured,
     if (commonest != pixels.end()) background = commonest->first;
   } else if (scheme == LabelScheme::guess && !pixels.contains(0)) {
     throw InputError("has " + std::to_string(pixels.size()) +
-                     " colours, and black, which would be the background, is none of them; give --labels colours if "
+                     " colours, and black, which would be the background, is not among them; give --labels colours if "
                      "the commonest is the background");
   }
   std::map<int, int> objects{{background, 0}};

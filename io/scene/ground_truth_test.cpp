@@ -155,7 +155,7 @@ TEST_F(GroundTruthFolder, InstancesOfCocoAreObjects) {
   expect_problem(coco("[[1, 0, 3]]"), "three corners");
   expect_problem(coco("7"), "no segmentation");
   folder_.write("coco.json", "{");
-  expect_problem(text(read()), "coco.json:1:2: is no valid JSON");
+  expect_problem(text(read()), "coco.json:1:2: is not valid JSON");
   folder_.write("coco.json", R"({"images": [], "annotations": []})");
   expect_problem(text(read()), "has 0 images of 4x2");
 }

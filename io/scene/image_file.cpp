@@ -56,7 +56,7 @@ enum class Content { colour, depth };
 /// What is neither PNG nor JPEG, as OpenCV decodes it; of an EXR file its channel of depth, where that is asked for.
 cv::Mat decode_other(const fs::path& file, std::string_view bytes, ImageKind kind, Content what) {
   if (kind == ImageKind::unknown)
-    fail(file, "is no image that can be read" + seen_as(bytes) +
+    fail(file, "is not an image that can be read" + seen_as(bytes) +
                    "; save it as PNG (depth: 16-bit grey), JPEG (colour only), TIFF, PGM, PPM or EXR");
   const auto size = declared_size(bytes, kind);
   if (!size) fail(file, "is truncated or damaged in its header; copy or write it again");
@@ -113,7 +113,7 @@ cv::Mat read_colour_image(const fs::path& file, std::vector<std::string>& notes)
   cv::Mat image;
   if (kind == ImageKind::jpeg) {
     if (const std::string problem = decode_jpeg(bytes, image); !problem.empty())
-      fail(file, "is no whole JPEG image (" + problem + "); copy or write it again");
+      fail(file, "is not a complete JPEG image (" + problem + "); copy or write it again");
     return image;
   }
   if (kind == ImageKind::npy)

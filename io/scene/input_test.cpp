@@ -161,7 +161,7 @@ TEST_F(SceneFolder, IsRefusedWhenDepthIsEmptyOrNoPng) {
   folder_.write("s/depth.png", "");
   expect_refusal({"depth.png: is empty"});
   folder_.write("s/depth.png", "II* a float TIFF");
-  expect_refusal({"depth.png: is no image that can be read", "save it as PNG"});
+  expect_refusal({"depth.png: is not an image that can be read", "save it as PNG"});
 }
 
 TEST_F(SceneFolder, IsRefusedWhereverAPngIsCut) {
@@ -169,7 +169,7 @@ TEST_F(SceneFolder, IsRefusedWhereverAPngIsCut) {
   for (std::size_t size = 1; size < whole.size(); ++size) {
     folder_.write("s/depth.png", whole.substr(0, size));
     expect_refusal(
-        {size < 8 ? "depth.png: is no image that can be read" : "depth.png: is truncated or damaged at byte"});
+        {size < 8 ? "depth.png: is not an image that can be read" : "depth.png: is truncated or damaged at byte"});
   }
 }
 
@@ -355,8 +355,8 @@ TEST_F(CameraYaml, ReportsAllErrorsTogether) {
 }
 
 TEST_F(CameraYaml, IsRefusedWhenItIsNoMapOrNoYaml) {
-  EXPECT_EQ(refusal("just words\n").find("F:1:1: is no camera file"), 0u);
-  EXPECT_EQ(refusal("# nothing\n").find("F:1:1: is no camera file"), 0u);
+  EXPECT_EQ(refusal("just words\n").find("F:1:1: is not a camera file"), 0u);
+  EXPECT_EQ(refusal("# nothing\n").find("F:1:1: is not a camera file"), 0u);
   EXPECT_EQ(refusal("width: 4\nfx: [1, 2\nfy: }\n").find("F:3:"), 0u);
   EXPECT_EQ(refusal(std::string(100000, '[')).find("F: has 100000 bytes"), 0u);
   EXPECT_EQ(refusal(std::string(60000, '[')).find("F:1:"), 0u);
@@ -396,7 +396,7 @@ TEST_F(FindScenes, RefusesWhatHoldsNoScene) {
   const auto message = [&](const fs::path& path) { return error_of([&] { find_scenes({path}); }); };
   expect_parts(message(folder_.path()), {folder_.path().string() + ": holds no scene", "depth.png", ".pcd"});
   expect_parts(message(folder_.path() / "none"), {"none: does not exist"});
-  expect_parts(message(folder_.write("cloud.obj", "x")), {"cloud.obj: is no scene", ".pcd"});
+  expect_parts(message(folder_.write("cloud.obj", "x")), {"cloud.obj: is not a scene", ".pcd"});
 }
 
 TEST_F(FindScenes, RefusesTwoScenesOfOneName) {

@@ -45,7 +45,7 @@ Archive open(const fs::path& file, const std::string& bytes) {
     const std::string reason = zip_error_strerror(&error);
     if (source) zip_source_free(source);
     zip_error_fini(&error);
-    throw InputError(file.string() + ": is no .npz file (" + reason + "); write it with numpy.savez_compressed");
+    throw InputError(file.string() + ": is not a .npz file (" + reason + "); write it with numpy.savez_compressed");
   }
   zip_error_fini(&error);
   return Archive(archive);
@@ -165,7 +165,7 @@ std::string in_c_order(const NpyArray& array, const std::string& columns) {
 NpyArray parse(const std::string& place, std::string bytes) {
   const auto fail = [&](const std::string& what) { throw InputError(place + ": " + what); };
   const auto byte = [&](std::size_t i) { return std::size_t(std::uint8_t(bytes[i])); };
-  if (bytes.size() < 10 || bytes.compare(0, 6, magic) != 0) fail("is no array of numpy; write it with numpy.savez");
+  if (bytes.size() < 10 || bytes.compare(0, 6, magic) != 0) fail("is not a numpy array; write it with numpy.savez");
   const std::size_t wide = byte(6) >= 2 ? 4 : 2, begin = 8 + wide;
   if (bytes.size() < begin) fail("breaks off in its header; write it again");
   std::size_t length = 0;

@@ -228,7 +228,7 @@ class NpzScene {
         k(row, column) = array.at(std::size_t(row) * width + std::size_t(column));
     if (k(0, 2) == 0 && k(1, 2) == 0 && k(2, 0) > 0) k = k.t();  // column by column, as of Open3D
     if (k(1, 0) != 0 || k(2, 0) != 0 || k(2, 1) != 0 || k(2, 2) != 1 || k(0, 1) != 0)
-      fail(name, "is no matrix of intrinsics; it must be [[fx, 0, cx], [0, fy, cy], [0, 0, 1]], in pixels");
+      fail(name, "is not a matrix of intrinsics; it must be [[fx, 0, cx], [0, fy, cy], [0, 0, 1]], in pixels");
     Camera camera{size_.width, size_.height, k(0, 0), k(1, 1), k(0, 2), k(1, 2)};
     if (is_of_colour(camera)) return scaled_to_depth(name, camera);
     if (camera.cx > camera.width || camera.cy > camera.height) refuse_centre(name, camera);

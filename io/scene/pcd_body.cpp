@@ -52,7 +52,7 @@ std::string read_ascii(const fs::path& file, const PcdHeader& header, std::strin
         if (field.name == "_")
           points.append(std::size_t(field.size), '\0');
         else if (!append_value(word, field, points))
-          wrong(shown(word) + " is no value of field " + shown(field.name) + " (" + field.type +
+          wrong(shown(word) + " is not a value of field " + shown(field.name) + " (" + field.type +
                 std::to_string(field.size) + ")");
         word_at = line.find_first_not_of(blank, word_end);
       }

@@ -50,8 +50,8 @@ class Words {
 std::string read_ascii_vertices(const fs::path& file, const PlyHeader& header, std::string_view body) {
   Words words(body, header.vertices.lines);
   const auto wrong = [&](std::string_view word, const std::string& what) {
-    throw InputError(file.string() + ":" + std::to_string(words.line()) + ": " + shown(word) + " is no " + what +
-                     "; write the cloud again");
+    throw InputError(file.string() + ":" + std::to_string(words.line()) + ": " + shown(word) + " is not a valid " +
+                     what + "; write the cloud again");
   };
   for (const PlyHeader::Element& element : header.before)
     for (std::size_t i = 0; i < element.count && !element.properties.empty(); ++i)

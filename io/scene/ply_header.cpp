@@ -54,7 +54,7 @@ class PlyHeaderReader {
     if (line_[0] == "format") return take_format();
     if (line_[0] == "element") return take_element();
     if (line_[0] == "property") return take_property();
-    line_.fail(shown(line_[0]) + " is no line of a PLY header; write the cloud again");
+    line_.fail(shown(line_[0]) + " is not a line of a PLY header; write the cloud again");
   }
 
   void take_format() {

@@ -184,9 +184,10 @@ void take_labels(const fs::path& file, const PcdHeader& header, const std::strin
     const double label = numbers.at(i);
     if (std::isnan(label)) continue;  // of a point without a measurement: no label
     if (!(label >= 0 && label <= largest && label == std::floor(label)))
-      reject_cloud(file, "point " + std::to_string(i) +
-                             " has a label that is no whole number from 0 to 65535; write the cloud without the field "
-                             "'label', or with labels as docs/formats.md says");
+      reject_cloud(file,
+                   "point " + std::to_string(i) +
+                       " has a label that is not a whole number from 0 to 65535; write the cloud without the field "
+                       "'label', or with labels as docs/formats.md says");
     result.labels[i] = std::uint16_t(label);
   }
 }

@@ -324,27 +324,27 @@ TEST_F(Pcd, RefusesMorePointsThanTheFileHolds) {
 TEST_F(Pcd, WhatAFileSaysDoesNotCommandTheTerminal) {
   expect_parts(error_of(write("VERSION 0.7\nFIELDS x \x1b[2J \x1b[2J\n")), {"c.pcd:2: field '?[2J'"});
   expect_parts(error_of(write("VERSION 0.7\nFIELDS \x1b[2J\nSIZE 3\n")), {"c.pcd:3: size '3' of field '?[2J' must"});
-  expect_refusal("0.5 0 1", "0.5 \x1b[2J 1", {"c.pcd:13: '?[2J' is no value of field 'y' (F4)"});
+  expect_refusal("0.5 0 1", "0.5 \x1b[2J 1", {"c.pcd:13: '?[2J' is not a value of field 'y' (F4)"});
 }
 
 TEST_F(Pcd, RefusesRowsThatDoNotFitTheFields) {
   expect_refusal("0.5 0 1", "0.5 0", {"c.pcd:13: the row ends before field 'z'"});
   expect_refusal("0.5 0 1", "0.5 0 1 7", {"c.pcd:13: the row has more values"});
-  expect_refusal("0.5 0 1", "0,5 0 1", {"c.pcd:13: '0,5' is no value of field 'x' (F4)"});
-  expect_refusal("0.5 0 1", "0.5 0 1e39", {"c.pcd:13: '1e39' is no value of field 'z' (F4)"});
+  expect_refusal("0.5 0 1", "0,5 0 1", {"c.pcd:13: '0,5' is not a value of field 'x' (F4)"});
+  expect_refusal("0.5 0 1", "0.5 0 1e39", {"c.pcd:13: '1e39' is not a value of field 'z' (F4)"});
   expect_parts(
       error_of(write("FIELDS x y z label\nSIZE 4 4 4 1\nTYPE F F F U\nWIDTH 1\nHEIGHT 2\nPOINTS 2\nDATA ascii\n"
                      "0 0 1 255\n0 0 1 256\n")),
-      {"c.pcd:9: '256' is no value of field 'label' (U1)"});
+      {"c.pcd:9: '256' is not a value of field 'label' (U1)"});
 }
 
 TEST_F(Pcd, RefusesLabelsThatAreNone) {
   const std::string header =
       "FIELDS x y z label\nSIZE 4 4 4 4\nTYPE F F F I\nWIDTH 1\nHEIGHT 2\nPOINTS 2\nDATA ascii\n";
   expect_parts(error_of(write(header + "0 0 1 1\n0 0 1 -1\n")),
-               {"point 1 has a label that is no whole number from 0 to 65535"});
+               {"point 1 has a label that is not a whole number from 0 to 65535"});
   expect_parts(error_of(write(header + "0 0 1 70000\n0 0 1 1\n")),
-               {"point 0 has a label that is no whole number from 0 to 65535"});
+               {"point 0 has a label that is not a whole number from 0 to 65535"});
 }
 
 TEST_F(Pcd, ReadsLabelsOfAnySize) {
@@ -369,7 +369,7 @@ TEST_F(Pcd, RefusesColoursAndLabelsOfAnotherKind) {
   expect_parts(
       error_of(write("FIELDS x y z label\nSIZE 4 4 4 4\nTYPE F F F F\nWIDTH 2\nHEIGHT 1\nPOINTS 2\nDATA ascii\n"
                      "0 0 1 1\n0.5 0 1 1.5\n")),
-      {"c.pcd: point 1 has a label that is no whole number"});
+      {"c.pcd: point 1 has a label that is not a whole number"});
 }
 
 // A cloud of 2x2 points with fields beside x, y, z; each has a row of its values for the four points.

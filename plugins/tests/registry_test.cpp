@@ -163,7 +163,7 @@ TEST(Registry, WhatAFactoryDoesWrongIsAPluginError) {
   };
   expect_in("solver 'throws' could not be made: the table of weights is missing", message("throws"));
   expect_in("solver 'throws_an_int' could not be made", message("throws_an_int"));
-  expect_in("solver 'gives_null' could not be made: its factory gave nothing", message("gives_null"));
+  expect_in("solver 'gives_null' could not be made: its factory returned nothing", message("gives_null"));
 }
 
 TEST(Registry, TwoPluginsOfOneNameAreAnErrorNamingBoth) {

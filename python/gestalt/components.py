@@ -133,7 +133,7 @@ def register(name: str) -> Callable[[AnyComponent], AnyComponent]:
 
     def add(cls: AnyComponent) -> AnyComponent:
         if not _is_component(cls):
-            raise TypeError(f"{cls!r} is no class derived from gestalt.Relation, Classifier or Solver")
+            raise TypeError(f"{cls!r} is not a class derived from gestalt.Relation, Classifier or Solver")
         known = registered.get(name)
         if known and (known.__module__, known.__qualname__) != (cls.__module__, cls.__qualname__):
             raise ValueError(f"'{name}' is registered already, by {known.__module__}.{known.__qualname__}")

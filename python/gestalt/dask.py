@@ -49,7 +49,7 @@ def _segmenter(identity: str, config: str | None, overrides: Overrides, componen
     if _gestalt.run_identity(config, list(overrides), components=dict(components)) != identity:
         raise _gestalt.ConfigError(
             "this worker has another config, model, plugin or version than segment() was called with: leave files alone "
-            "while scenes are at work; after a plugin or gestalt was built anew, restart the workers"
+            "while scenes are at work; after a plugin or gestalt was rebuilt, restart the workers"
         )
     return segmenter
 

@@ -3,7 +3,8 @@
 
 #include "arrays.h"
 
-#include <opencv2/imgproc.hpp>
+#include <array>
+#include <opencv2/core.hpp>
 #include <string>
 
 #include "gestalt/core/base/error.h"
@@ -26,6 +27,14 @@ py::array_t<T> packed(const py::array& array) {
   return py::array_t<T, py::array::c_style | py::array::forcecast>(array);
 }
 
+/// Red green blue as blue green red, or the other way round. On this thread alone, unlike cv::cvtColor().
+cv::Mat swapped_channels(const cv::Mat& image) {
+  cv::Mat swapped(image.size(), image.type());
+  constexpr std::array from_to{0, 2, 1, 1, 2, 0};
+  cv::mixChannels(&image, 1, &swapped, 1, from_to.data(), from_to.size() / 2);
+  return swapped;
+}
+
 }  // namespace
 
 cv::Mat colour_image(const py::object& colour) {
@@ -38,9 +47,7 @@ cv::Mat colour_image(const py::object& colour) {
                      (array ? description(array) : std::string("no array")));
   const py::array_t<std::uint8_t> rows = packed<std::uint8_t>(array);
   const cv::Mat view(int(rows.shape(0)), int(rows.shape(1)), CV_8UC3, const_cast<std::uint8_t*>(rows.data()));
-  cv::Mat image;
-  cv::cvtColor(view, image, cv::COLOR_RGB2BGR);
-  return image;
+  return swapped_channels(view);
 }
 
 DepthReading depth_image(const py::array& depth, const ReadOptions& options) {
@@ -86,9 +93,7 @@ py::array array_of(const cv::Mat& image) {
 
 py::object colour_array(const cv::Mat& colour) {
   if (colour.empty()) return py::none();
-  cv::Mat image;
-  cv::cvtColor(colour, image, cv::COLOR_BGR2RGB);
-  return array_of(image);
+  return array_of(swapped_channels(colour));
 }
 
 void refuse_mask(const py::handle& array, const std::string& name) {

@@ -12,6 +12,7 @@
 #include <nlohmann/json.hpp>
 
 #include "arrays.h"
+#include "core_call.h"
 #include "gestalt/core/base/error.h"
 
 namespace gestalt::python {
@@ -23,23 +24,26 @@ using Owned = std::shared_ptr<py::object>;
 
 Owned owned(py::object object) {
   return {new py::object(std::move(object)), [](py::object* last) {
-            if (!Py_IsInitialized()) return;  // the interpreter is gone, and the object with it
+            if (interpreter_is_ending() || !Py_IsInitialized()) return;  // the object goes with the interpreter
             const py::gil_scoped_acquire gil;
             delete last;
           }};
 }
 
-/// f() with the interpreter held; what Python raises becomes the core's error E, after whose component it is.
+/// f() with the interpreter held; what Python raises becomes the core's error E, after whose component it is. A
+/// KeyboardInterrupt comes out of the call as such all the same.
 template <class E, class F>
 auto in_python(const std::string& component, F f) {
-  const py::gil_scoped_acquire gil;
-  try {
-    return f();
-  } catch (const py::error_already_set& error) {
-    throw E(component + ": " + error.what());
-  } catch (const py::cast_error& error) {
-    throw E(component + ": " + error.what());
-  }
+  return hold_interpreter([&] {
+    try {
+      return f();
+    } catch (const py::error_already_set& error) {
+      if (error.matches(PyExc_KeyboardInterrupt)) note_interruption(error);
+      throw E(component + ": " + error.what());
+    } catch (const py::cast_error& error) {
+      throw E(component + ": " + error.what());
+    }
+  });
 }
 
 py::array_t<double> matrix(std::span<const double> values, std::size_t rows) {
@@ -199,7 +203,7 @@ class PythonMeasure final : public Measure {
       py::array_t<std::int64_t> numbers({pairs.size(), std::size_t{2}});
       for (std::size_t i = 0; i < pairs.size(); ++i)
         numbers.mutable_at(i, 0) = pairs[i].a, numbers.mutable_at(i, 1) = pairs[i].b;
-      read_rows((*measure_)(numbers), pairs.size(), who_, values);
+      read_rows(call_python(*measure_, numbers), pairs.size(), who_, values);
     });
   }
 
@@ -226,7 +230,7 @@ class PythonRelation final : public Relation {
   std::unique_ptr<Measure> bind(const Scene& scene) const override {
     return in_python<PluginError>(who_, [&] {
       const auto view = std::make_shared<SceneView>(scene);
-      return std::make_unique<PythonMeasure>(who_, view, owned(object_->attr("bind")(view)));
+      return std::make_unique<PythonMeasure>(who_, view, owned(call_python(object_->attr("bind"), view)));
     });
   }
 
@@ -252,7 +256,8 @@ class PythonPredictor final : public Predictor {
 
   void probabilities(std::span<const double> values, std::span<double> p) const override {
     if (p.empty()) return;
-    in_python<PluginError>(who_, [&] { read_rows((*predict_)(matrix(values, p.size())), p.size(), who_, p); });
+    in_python<PluginError>(who_,
+                           [&] { read_rows(call_python(*predict_, matrix(values, p.size())), p.size(), who_, p); });
     for (const double one : p)
       if (!(one >= 0 && one <= 1))
         throw PluginError(who_ + " gave the probability " + std::to_string(one) + ", which is not in [0, 1]");
@@ -275,14 +280,15 @@ class PythonClassifier final : public Classifier {
     const nlohmann::json state = in_python<PluginError>(who_, [&] {
       py::array_t<bool> positive{py::ssize_t(samples.rows())};
       for (std::size_t i = 0; i < samples.rows(); ++i) positive.mutable_at(i) = samples.positive[i] != 0;
-      return json_of(object_->attr("train")(matrix(samples.values, samples.rows()), positive));
+      return json_of(call_python(object_->attr("train"), matrix(samples.values, samples.rows()), positive));
     });
     return restore(state, samples.columns);
   }
 
   std::unique_ptr<Predictor> restore(const nlohmann::json& state, std::size_t columns) const override {
     return in_python<ModelError>(who_, [&] {
-      return std::make_unique<PythonPredictor>(who_, state, owned(object_->attr("restore")(object_of(state), columns)));
+      return std::make_unique<PythonPredictor>(who_, state,
+                                               owned(call_python(object_->attr("restore"), object_of(state), columns)));
     });
   }
 
@@ -314,7 +320,7 @@ class PythonSolver final : public Solver {
       }
       if (nodes == 0) return std::vector<int>{};
       std::vector<double> groups(nodes);
-      read_rows(object_->attr("solve")(sizes, pairs, p, assembly), nodes, who_, groups);
+      read_rows(call_python(object_->attr("solve"), sizes, pairs, p, assembly), nodes, who_, groups);
       std::map<double, int> number;  // in order of first appearance
       std::vector<int> numbered;
       for (const double group : groups) {
@@ -334,17 +340,20 @@ class PythonSolver final : public Solver {
 template <class Kind, class Component>
 void add(Registry& registry, const std::string& name, const py::object& type) {
   const std::string who = std::string(kind_name<Kind>) + " '" + name + "', written in Python";
-  const std::vector<Parameter> declared = in_python<PluginError>(who, [&] { return declarations(type); });
+  std::vector<Parameter> declared;
+  ComponentInfo info;
+  in_python<PluginError>(who, [&] {
+    declared = declarations(type);
+    info = {"", name, py::cast<std::string>(type.attr("version")), py::cast<std::string>(type.attr("description")()),
+            py::cast<std::string>(type.attr("__module__")) + "." + py::cast<std::string>(type.attr("__qualname__")) +
+                " (Python)"};
+  });
   const auto shared = owned(type);
-  const std::string place = py::cast<std::string>(type.attr("__module__")) + "." +
-                            py::cast<std::string>(type.attr("__qualname__")) + " (Python)";
-  registry.add<Kind>(
-      {"", name, py::cast<std::string>(type.attr("version")), py::cast<std::string>(type.attr("description")()), place},
-      Factory<Kind>{declared, [who, shared, declared](const ParameterValues& given) {
-                      return in_python<PluginError>(who, [&]() -> std::unique_ptr<Kind> {
-                        return std::make_unique<Component>(who, make(*shared, declared, given));
-                      });
-                    }});
+  registry.add<Kind>(info, Factory<Kind>{declared, [who, shared, declared](const ParameterValues& given) {
+                                           return in_python<PluginError>(who, [&]() -> std::unique_ptr<Kind> {
+                                             return std::make_unique<Component>(who, make(*shared, declared, given));
+                                           });
+                                         }});
 }
 
 }  // namespace

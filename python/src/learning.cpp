@@ -9,6 +9,7 @@
 
 #include "arrays.h"
 #include "components.h"
+#include "core_call.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/for_all.h"
 #include "gestalt/core/pipeline/learning_set.h"
@@ -64,6 +65,7 @@ class Learner {
                               std::vector<std::vector<std::string>>(scenes.size())};
     arena_.run([&] {
       for_all(scenes.size(), [&](std::size_t i) {
+        require_interpreter();
         const Input input = read_scene(scenes[i], options_);
         if (needs_colour_) require_colour_as_of_others(input);
         perceived.warnings[i] = input.warnings;
@@ -145,6 +147,7 @@ py::object cross_validate(const py::object& scenes, int folds, std::uint64_t see
     const std::vector<Models> models = learn_folds(pipeline, perceived.pointers(), fold, count, additional.pointers());
     std::vector<ImageScore> scores(all.size());
     for_all(all.size(), [&](std::size_t i) {
+      require_interpreter();
       const Models& theirs = models[std::size_t(fold[i])];
       scores[i] = score_image(perceived.ground_truth[i], pipeline.decide(perceived.scenes[i].percept, theirs).labels);
     });
@@ -177,7 +180,7 @@ py::object score(const py::array& ground_truth, const py::array& labels) {
 }  // namespace
 
 void bind_learning(py::module_& module) {
-  module.def("train", &train, py::arg("scenes"), py::arg("output"), py::arg("config") = py::none(),
+  module.def("train", &train, Computing(), py::arg("scenes"), py::arg("output"), py::arg("config") = py::none(),
              py::arg("overrides") = std::vector<std::string>{}, py::kw_only(), py::arg("components") = py::none(),
              py::arg("threads") = 0, py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(),
              py::arg("labels") = py::none(),
@@ -187,9 +190,9 @@ scenes: folders of scenes, one or many. labels: what their ground truth counts, 
 guessed where that is certain. Without colour in any scene, and without config, depth_only.yaml is taken and warned of.
 Returns of each level the classifier, the values, and how many pairs it saw. Use the model with the same config and
 overrides=["model=..."]. Raises InputError where no scene has an object, too.)");
-  module.def("cross_validate", &cross_validate, py::arg("scenes"), py::arg("folds") = 5, py::arg("seed") = 0,
-             py::arg("config") = py::none(), py::arg("overrides") = std::vector<std::string>{}, py::kw_only(),
-             py::arg("leave_one_out") = py::none(), py::arg("also_train") = py::tuple(),
+  module.def("cross_validate", &cross_validate, Computing(), py::arg("scenes"), py::arg("folds") = 5,
+             py::arg("seed") = 0, py::arg("config") = py::none(), py::arg("overrides") = std::vector<std::string>{},
+             py::kw_only(), py::arg("leave_one_out") = py::none(), py::arg("also_train") = py::tuple(),
              py::arg("components") = py::none(), py::arg("threads") = 0, py::arg("depth_scale") = py::none(),
              py::arg("depth_kind") = py::none(), py::arg("labels") = py::none(),
              R"(Trains on all folds of the scenes but one and scores that one, for each.
@@ -197,7 +200,7 @@ overrides=["model=..."]. Raises InputError where no scene has an object, too.)")
 leave_one_out: "category" or "set", each of which is then a fold; folds and seed do not count. also_train: scenes that
 every fold learns from and that are not scored. Returns the scores of each category (of several sets SET/CATEGORY),
 their "mean", and of "all", as `gestalt evaluate --cross-validate N --json` prints them.)");
-  module.def("score", &score, py::arg("ground_truth"), py::arg("labels"),
+  module.def("score", &score, Computing(), py::arg("ground_truth"), py::arg("labels"),
              "Scores of one label image against ground truth, where that has 0 for pixels without depth.");
 }
 

@@ -9,18 +9,20 @@
 #include <iostream>
 
 #include "components.h"
+#include "core_call.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/plugin/registry.h"
 #include "gestalt/core/plugin/running_component.h"
 #include "gestalt/core/scene/frame.h"
 #include "segmenter.h"
+#include "text.h"
 #include "wording.h"
 
 namespace gestalt::python {
 
 namespace {
 
-/// An error of the core as one of Python. Paths in its message may be no UTF-8; they come out as Python has such paths.
+/// An error of the core as one of Python.
 template <class E>
 py::handle bind_error(py::module_& module, const char* name, py::handle base, const char* doc) {
   static const py::handle type = py::exception<E>(module, name, base).release();
@@ -29,10 +31,8 @@ py::handle bind_error(py::module_& module, const char* name, py::handle base, co
     try {
       if (thrown) std::rethrow_exception(thrown);
     } catch (const E& error) {
-      const std::string text = in_python(error.what());
-      const auto message = py::reinterpret_steal<py::object>(
-          PyUnicode_DecodeUTF8(text.data(), py::ssize_t(text.size()), "surrogateescape"));
-      PyErr_SetObject(type.ptr(), message.ptr());
+      if (raise_interruption()) return;
+      PyErr_SetObject(type.ptr(), text_of(in_python(error.what())).ptr());
     }
   });
   return type;
@@ -94,6 +94,7 @@ PYBIND11_MODULE(_gestalt, module) {
   module.doc() = "The compiled part of gestalt.";
   module.attr("__version__") = GESTALT_VERSION;
   std::atexit(refuse_exit);
+  watch_process();
   bind_errors(module);
   bind_camera(module);
   bind_scene_view(module);

@@ -17,6 +17,7 @@
 
 #include "arrays.h"
 #include "components.h"
+#include "core_call.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/for_all.h"
 #include "gestalt/core/pipeline/learning_set.h"
@@ -29,6 +30,7 @@
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/reading_names.h"
 #include "gestalt/io/scene/scene_names.h"
+#include "text.h"
 #include "wording.h"
 
 namespace gestalt::python {
@@ -41,7 +43,7 @@ constexpr const char* config_of_depth = "; config=\"depth_only.yaml\" asks for i
 
 /// What results need of the segmenter that made them.
 struct Source {
-  std::shared_ptr<const Arena> arena;
+  Arena arena;
   nlohmann::json config;  ///< Segmenter::config_json()
 };
 
@@ -51,8 +53,8 @@ struct Loaded {
   Segmenter segmenter;
 };
 
-Loaded load(const std::shared_ptr<const Arena>& arena, LoadedConfig config) {
-  Segmenter segmenter = arena->run([&] { return Segmenter(std::move(config)); });
+Loaded load(const Arena& arena, LoadedConfig config) {
+  Segmenter segmenter = Arena(1).run([&] { return Segmenter(std::move(config)); });  // so that a fork is harmless
   if (const std::string warning = segmenter.warning(); !warning.empty()) warn(warning);
   auto source = std::make_shared<Source>(Source{arena, segmenter.config_json()});
   return {std::move(source), std::move(segmenter)};
@@ -65,7 +67,7 @@ class Result {
       : source_(std::move(source)), input_(std::move(input)), found_(std::move(found)) {}
 
   const Input& input() const { return input_; }
-  const std::string& name() const { return input_.frame.name; }
+  py::str name() const { return text_of(input_.frame.name); }
   py::array labels() const { return array_of(found_.segmentation.labels); }
   py::array objects_image() const { return array_of(object_labels(found_.segmentation)); }
   py::array patch_labels() const { return array_of(found_.percept.surfaces().labels); }
@@ -116,20 +118,23 @@ class Result {
 
   void save(const fs::path& folder, const std::optional<std::string>& name) const {
     const OutputPath place = name ? OutputPath(folder) / *name : OutputPath(folder);
-    source_->arena->run([&] { write_result(place, input_, found_, source_->config); });
+    source_->arena.run([&] { write_result(place, input_, found_, source_->config); });
   }
 
-  std::string text() const {
+  py::str text() const {
     std::size_t objects = 0;
     for (const Segment& segment : found_.segmentation.segments) objects += segment.role == Role::object;
-    return "<gestalt.Result of '" + name() + "': " + std::to_string(objects) + " objects, " +
-           std::to_string(found_.percept.surfaces().surfaces.size()) + " patches>";
+    return text_of("<gestalt.Result of '" + input_.frame.name + "': " + std::to_string(objects) + " objects, " +
+                   std::to_string(found_.percept.surfaces().surfaces.size()) + " patches>");
   }
 
  private:
   /// result.json, made once.
   const nlohmann::json& content() {
-    if (content_.is_null()) content_ = result_json(input_, found_, source_->config);
+    if (content_.is_null()) {
+      nlohmann::json content = source_->arena.run([&] { return result_json(input_, found_, source_->config); });
+      if (content_.is_null()) content_ = std::move(content);  // else another thread has made it meanwhile
+    }
     return content_;
   }
 
@@ -146,7 +151,7 @@ class PySegmenter {
       : overrides_(std::move(overrides)),
         components_(components),
         may_be_replaced_(config.is_none() && depth_only_may_replace({}, overrides_)),
-        arena_(std::make_shared<Arena>(threads)),
+        arena_(threads),
         loaded_(load(arena_, load_config(config, overrides_, components_))) {}
 
   std::unique_ptr<Result> call(const py::object& colour, const py::array& depth, const Camera& camera,
@@ -156,7 +161,7 @@ class PySegmenter {
     DepthReading depths = depth_image(depth, read_options({{}, depth_scale, depth_kind, {}}));
     Input input;
     input.path = name;
-    arena_->run([&] { set_frame(input, name, colours, std::move(depths), camera); });
+    arena_.run([&] { set_frame(input, name, colours, std::move(depths), camera); });
     return segment(std::move(input));
   }
 
@@ -164,15 +169,15 @@ class PySegmenter {
                                std::optional<double> depth_scale, const std::optional<std::string>& depth_kind,
                                const std::optional<std::string>& labels) const {
     const ReadOptions options = read_options({camera, depth_scale, depth_kind, labels});
-    return segment(arena_->run([&] { return read_scene(scene, options); }));
+    return segment(arena_.run([&] { return read_scene(scene, options); }));
   }
 
   py::object evaluate(const py::object& scenes, std::optional<double> depth_scale,
                       const std::optional<std::string>& depth_kind, const std::optional<std::string>& labels) const {
     const std::vector<fs::path> given = some_paths(scenes);
     const ReadOptions options = read_options({{}, depth_scale, depth_kind, labels});
-    const std::vector<fs::path> all = arena_->run([&] { return find_scenes(given); });
-    const bool by_depth = may_be_replaced_ && arena_->run([&] { return none_has_colour(all, options); });
+    const std::vector<fs::path> all = arena_.run([&] { return find_scenes(given); });
+    const bool by_depth = may_be_replaced_ && arena_.run([&] { return none_has_colour(all, options); });
     if (by_depth)
       warn(std::string("no scene has a colour image; scored by depth alone, with depth_only.yaml and its model") +
            config_of_depth);
@@ -180,8 +185,9 @@ class PySegmenter {
     std::vector<ImageScore> scores(all.size());
     std::vector<std::vector<std::string>> warnings(all.size());
     std::atomic<std::int64_t> objects = 0;
-    arena_->run([&] {
+    arena_.run([&] {
       for_all(all.size(), [&](std::size_t i) {
+        require_interpreter();
         const Input input = read_scene(all[i], options);
         warnings[i] = input.warnings;
         if (may_be_replaced_ && !by_depth) require_colour_as_of_others(input);
@@ -192,7 +198,7 @@ class PySegmenter {
     });
     for (const std::vector<std::string>& of_scene : warnings) warn(of_scene);
     require_objects(objects);
-    return object_of(arena_->run([&] { return to_json(with_mean(summarise(scores, scene_rows(all)))); }));
+    return object_of(arena_.run([&] { return to_json(with_mean(summarise(scores, scene_rows(all)))); }));
   }
 
   py::object config() const { return object_of(loaded_.source->config.at("values")); }
@@ -205,26 +211,26 @@ class PySegmenter {
       warn(input.frame.name + ": " + input.notes.back() + config_of_depth);
     }
     const Loaded& loaded = by_depth ? depth_only() : loaded_;
-    SegmentedFrame found = arena_->run([&] { return loaded.segmenter.segment(input.frame); });
+    SegmentedFrame found = arena_.run([&] { return loaded.segmenter.segment(input.frame); });
     warn(input.warnings);
     return std::make_unique<Result>(loaded.source, std::move(input), std::move(found));
   }
 
   /// What takes the place of the default where there is no colour; loaded when it is asked for first.
   const Loaded& depth_only() const {
-    const py::gil_scoped_release released;  // or who holds the lock would wait for the interpreter, and we for the lock
+    const Released released;  // or the thread with the lock would wait for the interpreter, and this one for the lock
     const std::lock_guard lock(in_use_);
-    if (!depth_only_) {
-      const py::gil_scoped_acquire acquired;
-      depth_only_.emplace(load(arena_, load_config(py::cast(depth_only_config()), overrides_, components_)));
-    }
+    if (!depth_only_)
+      hold_interpreter([&] {
+        depth_only_.emplace(load(arena_, load_config(py::cast(depth_only_config()), overrides_, components_)));
+      });
     return *depth_only_;
   }
 
   std::vector<std::string> overrides_;
   py::dict components_;
   bool may_be_replaced_;  ///< by the config for depth alone
-  std::shared_ptr<const Arena> arena_;
+  Arena arena_;
   Loaded loaded_;
   mutable std::mutex in_use_;
   mutable std::optional<Loaded> depth_only_;
@@ -233,14 +239,11 @@ class PySegmenter {
 py::tuple read(const fs::path& scene, const std::optional<Camera>& camera, std::optional<double> depth_scale,
                const std::optional<std::string>& depth_kind, const std::optional<std::string>& labels) {
   const ReadOptions options = read_options({camera, depth_scale, depth_kind, labels});
-  const Input input = [&] {
-    const py::gil_scoped_release released;
-    return read_scene(scene, options);
-  }();
+  const Input input = Arena(1).run([&] { return read_scene(scene, options); });
   warn(input.warnings);
   const Frame& frame = input.frame;
   const py::object truth = input.ground_truth.empty() ? py::object(py::none()) : array_of(input.ground_truth);
-  return py::make_tuple(frame.name, colour_array(frame.colour), array_of(frame.depth), frame.camera, truth);
+  return py::make_tuple(text_of(frame.name), colour_array(frame.colour), array_of(frame.depth), frame.camera, truth);
 }
 
 /// The value of a name. Throws InputError that lists the names.
@@ -264,6 +267,13 @@ void check_names(const std::vector<fs::path>& scenes) {
 std::string identity(const py::object& config, const std::vector<std::string>& overrides,
                      const py::object& components) {
   return run_identity(load_config(config, overrides, registered(components)));
+}
+
+/// Throws what Python has for other objects, and for a NUL within.
+fs::path path_of(const py::handle& path) {
+  PyObject* bytes = nullptr;
+  if (!PyUnicode_FSConverter(path.ptr(), &bytes)) throw py::error_already_set();
+  return std::string(py::reinterpret_steal<py::bytes>(bytes));
 }
 
 }  // namespace
@@ -292,21 +302,29 @@ LoadedConfig load_config(const py::object& config, const std::vector<std::string
   if (!config.is_none() && !py::isinstance<py::str>(config) && !py::hasattr(config, "__fspath__"))
     throw ConfigError(
         "config: expected a file, the name of an installed config, or None; single values go into overrides");
-  ConfigTree tree(config.is_none() ? default_config() : py::cast<fs::path>(config), overrides);
+  ConfigTree tree(config.is_none() ? default_config() : path_of(config), overrides);
   Registry registry(plugin_search_path(tree.plugin_directories()));
-  for (const auto& [name, type] : components)
+  const py::object base = py::module_::import("gestalt.components").attr("Component");
+  for (const auto& [name, type] : components) {
+    if (!py::isinstance<py::str>(name) || !PyType_Check(type.ptr()) || PyObject_IsSubclass(type.ptr(), base.ptr()) != 1)
+      throw py::type_error("components: " + py::cast<std::string>(py::repr(name)) +
+                           ": expected a name with a class derived from gestalt.Relation, Classifier or Solver");
     add_component(registry, py::cast<std::string>(name), py::reinterpret_borrow<py::object>(type));
+  }
   return {std::move(tree), std::move(registry)};
 }
 
 std::vector<fs::path> paths(const py::object& paths) {
-  if (py::isinstance<py::str>(paths) || py::hasattr(paths, "__fspath__")) return {py::cast<fs::path>(paths)};
-  return py::cast<std::vector<fs::path>>(paths);
+  if (py::isinstance<py::str>(paths) || py::isinstance<py::bytes>(paths) || py::hasattr(paths, "__fspath__"))
+    return {path_of(paths)};
+  std::vector<fs::path> all;
+  for (const py::handle path : paths) all.push_back(path_of(path));
+  return all;
 }
 
 std::vector<fs::path> some_paths(const py::object& given) {
   std::vector<fs::path> some = paths(given);
-  if (some.empty()) throw InputError("scenes: there is none; give a folder of scenes, or a list of them");
+  if (some.empty()) throw InputError("scenes: there are none; give a folder of scenes, or a list of them");
   return some;
 }
 
@@ -322,10 +340,11 @@ void bind_segmenter(py::module_& module) {
       .def_property_readonly("normals", &Result::normals,
                              "(height, width, 3) float32, unit, towards the camera; 0 where there is none.")
       .def_property_readonly("points", &Result::points, "(height, width, 3) float32, metres in the camera frame.")
-      .def_property_readonly("segments", &Result::segments,
+      .def_property_readonly("segments", py::cpp_function(&Result::segments, Computing()),
                              "Of each segment its label, role, pixels and patches; as in result.json, largest first.")
-      .def_property_readonly("objects", &Result::objects, "The segments that are objects.")
-      .def_property_readonly("patches", &Result::patches,
+      .def_property_readonly("objects", py::cpp_function(&Result::objects, Computing()),
+                             "The segments that are objects.")
+      .def_property_readonly("patches", py::cpp_function(&Result::patches, Computing()),
                              "Of each patch its pixels and its surface with parameters; as in result.json.")
       .def_property_readonly(
           "structural", [](const Result& result) { return result.pairs(Level::structural); },
@@ -335,8 +354,8 @@ values: (n, k); probabilities: (n,) that the two are of one object, NaN where th
           "assembly", [](const Result& result) { return result.pairs(Level::assembly); },
           "The same of pairs that are not neighbours; without rows where the config has no assembly level.")
       .def_property_readonly("milliseconds", &Result::milliseconds, "Time spent in each level.")
-      .def("to_dict", &Result::dictionary, "Everything that result.json holds.")
-      .def("save", &Result::save, py::arg("folder"), py::arg("name") = py::none(),
+      .def("to_dict", &Result::dictionary, Computing(), "Everything that result.json holds.")
+      .def("save", &Result::save, Computing(), py::arg("folder"), py::arg("name") = py::none(),
            "Writes labels.png, objects.png, overlay.png, patches.png and result.json: all or none.\n\n"
            "name: of a folder in it, where they go instead; data may have given it: no link is followed there.")
       .def("__repr__", &Result::text);
@@ -355,8 +374,8 @@ Raises ConfigError, PluginError, ModelError. Warns when the model was trained wi
              return std::make_unique<PySegmenter>(config, overrides, registered(components), threads);
            }),
            py::arg("config") = py::none(), py::arg("overrides") = std::vector<std::string>{}, py::kw_only(),
-           py::arg("components") = py::none(), py::arg("threads") = 0)
-      .def("__call__", &PySegmenter::call, py::arg("colour"), py::arg("depth"), py::arg("camera"),
+           Computing(), py::arg("components") = py::none(), py::arg("threads") = 0)
+      .def("__call__", &PySegmenter::call, Computing(), py::arg("colour"), py::arg("depth"), py::arg("camera"),
            py::arg("name") = "frame", py::kw_only(), py::arg("depth_scale") = py::none(),
            py::arg("depth_kind") = py::none(), R"(Segments a frame.
 
@@ -368,13 +387,13 @@ bits rotated by three as in SUN RGB-D.
 
 The interpreter is released meanwhile. Raises InputError when the images and the camera do not fit each other,
 PluginError when a component fails.)")
-      .def("segment", &PySegmenter::read, py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
+      .def("segment", &PySegmenter::read, Computing(), py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
            py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(), py::arg("labels") = py::none(),
            "Segments a scene folder or a cloud, as `gestalt segment` does; camera replaces the scene's, depth_scale "
            "(metres per unit) its unit; depth_kind and labels are as --depth-kind and --labels.")
       .def(
-          "evaluate", &PySegmenter::evaluate, py::arg("scenes"), py::kw_only(), py::arg("depth_scale") = py::none(),
-          py::arg("depth_kind") = py::none(), py::arg("labels") = py::none(),
+          "evaluate", &PySegmenter::evaluate, Computing(), py::arg("scenes"), py::kw_only(),
+          py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(), py::arg("labels") = py::none(),
           R"(Scores of scenes with ground truth by category (of several sets SET/CATEGORY), their "mean", and of "all", as
 `gestalt evaluate --json` prints them.
 
@@ -384,11 +403,11 @@ Warns of what is probably not as it was read. Raises InputError also where no sc
 without colour among others.)")
       .def_property_readonly("config", &PySegmenter::config, "The resolved config as a dictionary.");
 
-  module.def("read_scene", &read, py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
+  module.def("read_scene", &read, Computing(), py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
              py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(), py::arg("labels") = py::none());
   module.def("check_scene_names", &check_names, py::arg("scenes"),
              "Raises InputError unless each scene has a name of its own, by which results can go.");
-  module.def("run_identity", &identity, py::arg("config") = py::none(),
+  module.def("run_identity", &identity, Computing(), py::arg("config") = py::none(),
              py::arg("overrides") = std::vector<std::string>{}, py::kw_only(), py::arg("components") = py::none(),
              "Names what a segmenter is made of by its content: config, model, plugins, this build.");
 }

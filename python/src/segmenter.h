@@ -3,35 +3,18 @@
 #pragma once
 
 #include <pybind11/pybind11.h>
-#include <tbb/task_arena.h>
 
 #include <optional>
 #include <string>
 #include <vector>
 
+#include "core_call.h"
 #include "gestalt/core/pipeline/segmenter.h"
 #include "gestalt/io/scene/input.h"
 
 namespace gestalt::python {
 
 namespace py = pybind11;
-
-/// The threads of a segmenter, or of one call.
-class Arena {
- public:
-  /// 0: all.
-  explicit Arena(int threads) : arena_(threads > 0 ? threads : int(tbb::task_arena::automatic)) {}
-
-  /// f() in these threads, with the interpreter released.
-  template <class F>
-  auto run(F f) const {
-    const py::gil_scoped_release released;
-    return arena_.execute(f);
-  }
-
- private:
-  mutable tbb::task_arena arena_;
-};
 
 /// A config with its components, those in Python included. config: a file or None, for default.yaml; components:
 /// dictionary of classes by name. Throws ConfigError, PluginError.

@@ -8,6 +8,8 @@
 #include <string_view>
 #include <utility>
 
+#include "text.h"
+
 namespace gestalt::python {
 
 namespace {
@@ -37,7 +39,7 @@ std::string in_python(const std::string& message) {
 }
 
 void warn(const std::string& message) {
-  if (PyErr_WarnEx(PyExc_UserWarning, message.c_str(), 1)) throw pybind11::error_already_set();
+  if (PyErr_WarnFormat(PyExc_UserWarning, 1, "%U", text_of(message).ptr())) throw pybind11::error_already_set();
 }
 
 void warn(const std::vector<std::string>& messages) {

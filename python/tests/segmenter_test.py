@@ -7,7 +7,11 @@ import json
 import os
 import pathlib
 import pickle
+import shutil
+import subprocess
+import sys
 import tempfile
+import textwrap
 import threading
 import unittest
 
@@ -85,6 +89,46 @@ class PipelineTest(unittest.TestCase):
         with self.assertRaisesRegex(gestalt.InputError, path + ".*: "):
             self.segmenter.segment(path)
 
+    def test_a_path_that_is_no_utf8_works(self):
+        with tempfile.TemporaryDirectory() as work:
+            odd = os.path.join(work, os.fsdecode(b"caf\xe9"))
+            shutil.copytree(demo, odd)
+            result = self.segmenter.segment(odd)
+            self.assertEqual(result.name, os.path.basename(odd))
+            self.assertIn(os.path.basename(odd), repr(result))
+            self.assertEqual(gestalt.read_scene(odd).name, os.path.basename(odd))
+            result.save(work, "result")
+            self.assertEqual(len(result.to_dict()["segments"]), len(self.result.segments))
+            config = os.path.join(odd, "config.yaml")
+            pathlib.Path(config).write_text("schema_version: 1\nextends: default.yaml\n")
+            gestalt.Segmenter(config)
+            with self.assertWarnsRegex(UserWarning, os.path.basename(odd)):
+                shutil.copy(demo.parents[1] / "models" / "default.json", odd)
+                pathlib.Path(config).write_text(
+                    "schema_version: 1\nextends: default.yaml\nmodel: default.json\n"
+                    "primitive: {model_selection: {sigma: 3}}\n"
+                )
+                gestalt.Segmenter(config)
+
+    def test_a_working_directory_that_is_gone_is_told(self):
+        text = """
+        import os, sys, gestalt
+        segmenter = gestalt.Segmenter()
+        os.mkdir("gone"); os.chdir("gone"); os.rmdir("../gone")
+        print(len(segmenter.segment(sys.argv[1]).to_dict()["segments"]) > 0)
+        for call in (lambda: segmenter.segment("here"), lambda: segmenter.segment(sys.argv[1]).save("here"),
+                     lambda: gestalt.Segmenter("mine.yaml"), lambda: gestalt.train("here", "model.json")):
+            try:
+                call()
+            except gestalt.Error as error:
+                print(len(str(error)) > 20)
+        """
+        with tempfile.TemporaryDirectory() as work:
+            told = subprocess.run(
+                [sys.executable, "-c", textwrap.dedent(text), demo], cwd=work, check=True, stdout=subprocess.PIPE, text=True
+            )
+        self.assertEqual(told.stdout, 5 * "True\n")
+
     def test_wrong_arguments_are_errors_of_ours(self):
         with self.assertRaisesRegex(gestalt.InputError, r"colour: .* shape \(0, 0, 3\)"):
             self.segmenter(numpy.zeros((0, 0, 3), numpy.uint8), self.scene.depth, self.scene.camera)
@@ -97,7 +141,7 @@ class PipelineTest(unittest.TestCase):
             lambda: gestalt.cross_validate([]),
             lambda: gestalt.train([], "no_model.json"),
         ):
-            with self.assertRaisesRegex(gestalt.InputError, "scenes: there is none"):
+            with self.assertRaisesRegex(gestalt.InputError, "scenes: there are none"):
                 call()
 
     def test_saves_below_a_folder_and_follows_no_link_there(self):

@@ -62,7 +62,7 @@ TEST_F(BadInput, WhatDoesNotExist) {
 }
 
 TEST_F(BadInput, WhatIsNoScene) {
-  refuse(folder.write("notes.txt", "hello"), 3, {"notes.txt", "no scene", ".pcd"});
+  refuse(folder.write("notes.txt", "hello"), 3, {"notes.txt", "not a scene", ".pcd"});
   refuse(scene / "rgb.png", 3, {"rgb.png", "no depth image", "--depth"});
 }
 
@@ -134,7 +134,7 @@ TEST_F(BadInput, TruncatedImages) {
 
 TEST_F(BadInput, WhatOnlyHasTheNameOfAnImage) {
   std::ofstream(scene / "depth.png") << "not an image, however long the text may be";
-  refuse(scene, 3, {(scene / "depth.png").string(), "is no image that can be read", "PNG"});
+  refuse(scene, 3, {(scene / "depth.png").string(), "is not an image that can be read", "PNG"});
 }
 
 TEST_F(BadInput, ColourOfAnotherSize) {
@@ -288,9 +288,9 @@ TEST_F(BadInput, APluginForAnotherInterface) {
 TEST_F(BadInput, ModelsThatCannotBeUsed) {
   const auto with = [](const fs::path& model) { return std::vector<std::string>{"--set", "model=" + model.string()}; };
   refuse(scene, 2, {"none.json", "gestalt train"}, with(folder.path() / "none.json"));
-  refuse(scene, 2, {"noise.json:1:1: ", "no model"}, with(folder.write("noise.json", "\x01\x02\x03")));
+  refuse(scene, 2, {"noise.json:1:1: ", "not a model"}, with(folder.write("noise.json", "\x01\x02\x03")));
   refuse(scene, 2, {"empty.json"}, with(folder.write("empty.json", "")));
-  refuse(scene, 2, {"other.json", "no model"}, with(folder.write("other.json", "{\"format\": \"other\"}")));
+  refuse(scene, 2, {"other.json", "not a model"}, with(folder.write("other.json", "{\"format\": \"other\"}")));
   refuse(scene, 2, {"names no model"}, {"--set", "model=none"});
   const fs::path model = folder.path() / "cut.json";
   expect_success(run_gestalt({"train", synthetic_scenes(), "--output", model}));

@@ -253,11 +253,16 @@ TEST_F(Export, TheExtensionTellsTheFormat) {
                                     {"a.OBJ", "# metres"},
                                     {"a.json", "{\"format\":"},
                                     {"a.ply", "ply\n"},
-                                    {"a.mesh", "ply\n"}}) {
+                                    {"a", "ply\n"}}) {
     EXPECT_EQ(run_gestalt({"export", result, "--output", folder.path() / name}).code, 0);
     EXPECT_TRUE(content(folder.path() / name).starts_with(begin)) << name;
   }
   EXPECT_EQ(run_gestalt({"export", result, "--output", folder.path() / "b.obj", "--format", "ply"}).code, 0);
+  for (const std::string name : {"c.stl", "c.tar.gz", "c.obj.bak"}) {
+    expect_refused(run_gestalt({"export", result, "--output", folder.path() / name}), 2, {name, ".ply, .obj or .json"});
+    EXPECT_FALSE(fs::exists(folder.path() / name));
+    EXPECT_EQ(run_gestalt({"export", result, "--output", folder.path() / name, "--format", "ply"}).code, 0);
+  }
   EXPECT_TRUE(content(folder.path() / "b.obj").starts_with("ply\n"));
 }
 

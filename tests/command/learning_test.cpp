@@ -151,7 +151,7 @@ TEST_F(Learning, AModelReplacesNeitherAFolderNorADevice) {
   expect_refused(run_gestalt({"train", synthetic_scene(), "--output", model}), 1, {model.string(), "folder"});
   const fs::path pipe = folder.path() / "pipe";
   ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
-  expect_refused(run_gestalt({"train", synthetic_scene(), "--output", pipe}), 1, {pipe.string(), "no regular file"});
+  expect_refused(run_gestalt({"train", synthetic_scene(), "--output", pipe}), 1, {pipe.string(), "not a regular file"});
   EXPECT_TRUE(fs::is_fifo(pipe));
   EXPECT_EQ(files_below(folder.path()), std::vector<std::string>{});
 }

@@ -179,7 +179,8 @@ TEST_F(StreamCommand, ALineThatIsCutOffIsNoName) {
   writer.join();
   EXPECT_EQ(outcome.code, 3);
   EXPECT_EQ(names_of(lines_of(outcome)), Texts{all_names[0]});
-  EXPECT_EQ(occurrences("pipe:2: the line '" + synthetic_scene(1).string() + "' has no end", outcome.err), 1)
+  EXPECT_EQ(
+      occurrences("pipe:2: the line '" + synthetic_scene(1).string() + "' has no newline at its end", outcome.err), 1)
       << outcome.err;
   expect_frames(stream({folder.write("list", cut)}), {all_names[0], all_names[1]}, 0);
 }
@@ -199,7 +200,7 @@ TEST_F(StreamCommand, NothingToDoIsNoError) {
 TEST_F(StreamCommand, RefusesWhatIsNoSource) {
   expect_refused(stream({folder.path() / "missing"}), 3, {"missing: cannot be read", "one path a line"});
   expect_refused(stream({synthetic_scene()}), 3, {"mixed_objects_1_000: is a scene", "gestalt segment"});
-  expect_refused(stream({folder.write("list.txt", ""), "--follow"}), 2, {"--follow", "list.txt", "no folder"});
+  expect_refused(stream({folder.write("list.txt", ""), "--follow"}), 2, {"--follow", "list.txt", "not a folder"});
   const Outcome binary = stream({folder.write("binary", std::string(10000, 'x'))});
   EXPECT_EQ(binary.code, 3);
   EXPECT_GT(occurrences("binary:1: the line is longer", binary.err), 0) << binary.err;

@@ -138,7 +138,7 @@ class Npz(FormatsTest):
         whole = file.read_bytes()
         for cut in (10, len(whole) // 2, len(whole) - 10):
             file.write_bytes(whole[:cut])
-            self.refused("damaged.npz", "is no .npz file", words=("info", file))
+            self.refused("damaged.npz", "is not a .npz file", words=("info", file))
         flipped = bytearray(whole)
         flipped[len(whole) // 2] ^= 0xFF
         file.write_bytes(flipped)
@@ -223,7 +223,7 @@ class Ply(FormatsTest):
             ("must be 'property TYPE NAME'", head.replace("property float z", "property list uchar int z")),
             ("ends within vertex", head.replace(f"vertex {len(vertices)}", f"vertex {len(vertices) + 1}")),
             ("must be a colour from 0 to 1", head.replace("uchar red", "char red")),
-            ("is no line of a PLY header", head.replace("comment", "remark")),
+            ("is not a line of a PLY header", head.replace("comment", "remark")),
             ("the PLY header breaks off here", head[:100]),
             ("'vertex'", "ply\nformat ascii 1.0\nend_header\n"),
             ("wrong.ply:1: a PLY file begins with 'ply', not 'plyx'", head.replace("ply", "plyx", 1)),
@@ -319,9 +319,9 @@ class Bop(FormatsTest):
         scene = self.scene()
         file = scene / "scene_camera.json"
         for text, told in (
-            ("{", "scene_camera.json:1:2: is no valid JSON"),
-            ("[]", "scene_camera.json: is no map"),
-            ('{"../7": {}}', "is no number of an image"),
+            ("{", "scene_camera.json:1:2: is not valid JSON"),
+            ("[]", "scene_camera.json: is not a map"),
+            ('{"../7": {}}', "is not the number of an image"),
             ('{"7": {}}', "7: cam_K must be a list of 9 numbers"),
             ('{"7": 3}', "7: cam_K must be a list of 9 numbers"),
             ('{"7": {"cam_K": [1, 2, 3, 4, 5, 6, 7, 8, "nine"]}}', "cam_K must be a list of 9 numbers"),

@@ -150,7 +150,7 @@ class Colour(FramesTest):
         whole = (scene / "rgb.jpg").read_bytes()
         for cut in (3, 20, len(whole) // 2, len(whole) - 2):
             (scene / "rgb.jpg").write_bytes(whole[:cut])
-            self.refused("rgb.jpg", "is no whole JPEG image", words=("info", scene))
+            self.refused("rgb.jpg", "is not a complete JPEG image", words=("info", scene))
         scene = self.scene(colour_name="rgb.tif")
         whole = (scene / "rgb.tif").read_bytes()
         for cut in (8, 1000, len(whole) // 2):

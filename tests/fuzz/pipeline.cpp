@@ -171,7 +171,7 @@ extern "C" int LLVMFuzzerTestOneInput(const std::uint8_t* data, std::size_t size
       ConfigTree(default_config(), {"structural.classifier=random_forest", "structural.classifier.params.trees=4"})
           .resolve(registry);
   FuzzedDataProvider provider(data, size);
-  const cv::Size image(provider.ConsumeIntegralInRange(1, 40), provider.ConsumeIntegralInRange(1, 32));
+  const cv::Size image(provider.ConsumeIntegralInRange(1, 20), provider.ConsumeIntegralInRange(1, 16));
   // A PluginError would be a fault of our plugins.
   try {
     const Pipeline pipeline(AnyConfig(provider, registry)(base), registry);
