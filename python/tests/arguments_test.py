@@ -197,6 +197,7 @@ def run(seed, rounds, log):
     wrong = []
     with tempfile.TemporaryDirectory() as folder, open(log, "w", buffering=1) as told:
         warnings.simplefilter("ignore")
+        os.chdir(folder)  # relative names are written to
         g = Generator(seed, pathlib.Path(folder))
         known = calls(g)
         for number in range(rounds):

@@ -138,6 +138,8 @@ TEST_F(Convert, ScenesOfOneNameAreRefused) {
   fs::create_directories(folder.path() / "bop" / "depth");
   write_image(folder.path() / "bop" / "depth" / "000000.png", small_wall());
   expect_refused(convert(folder.path() / "bop", "bop"), 3, {"000000.png: is there twice"});
+  fs::create_directories(folder.path() / "bop" / "rgb");
+  write_image(folder.path() / "bop" / "rgb" / "000000.png", cv::Mat(small_wall().size(), CV_8UC3, cv::Scalar(9, 8, 7)));
   for (const char* k : {"[75,9,39.5,0,75,29.5,0,0,1]", "[75,0,39.5,9,75,29.5,0,0,1]", "[75,0,39.5,0,75,29.5,0,0,2]"}) {
     folder.write("bop/scene_camera.json", std::string(R"({"0": {"cam_K": )") + k + "}}");
     expect_refused(convert(folder.path() / "bop", "bop"), 3, {"scene_camera.json: 0: cam_K "});
