@@ -10,6 +10,7 @@
 
 #include "config_yaml.h"
 #include "gestalt/core/base/error.h"
+#include "gestalt/core/base/suggest.h"
 #include "gestalt/core/plugin/registry.h"
 
 namespace gestalt::config {
@@ -41,11 +42,28 @@ std::string read_text(const fs::path& file) {
   return text;
 }
 
-/// The file, or where there is none the installed config of that name.
+/// The file, or where there is none the installed config of that name, which may lack its .yaml.
 fs::path found(const fs::path& file, const fs::path& name) {
-  const fs::path installed = data_directory() / "configs" / name;
   std::error_code ignored;
-  return !fs::exists(file, ignored) && fs::exists(installed, ignored) ? installed : file;
+  if (fs::exists(file, ignored)) return file;
+  fs::path installed = data_directory() / "configs" / name;
+  if (!name.has_extension()) installed.replace_extension(".yaml");
+  return fs::exists(installed, ignored) ? installed : file;
+}
+
+/// Throws ConfigError where a name without folder is neither a file nor installed.
+void require_known(const fs::path& file, const fs::path& name) {
+  std::error_code ignored;
+  if (name.has_parent_path() || name.empty() || fs::exists(file, ignored)) return;
+  std::vector<std::string> installed;
+  for (const auto& entry : fs::directory_iterator(data_directory() / "configs", ignored))
+    if (entry.path().extension() == ".yaml") installed.push_back(entry.path().stem().string());
+  std::sort(installed.begin(), installed.end());
+  std::string names;
+  for (const std::string& one : installed) names += (names.empty() ? "" : ", ") + one;
+  throw ConfigError("there is no config '" + name.string() +
+                    "' in this folder, and none of that name among those installed" +
+                    (names.empty() ? "" : ", which are " + names) + did_you_mean(name.stem().string(), installed));
 }
 
 /// Refuses control characters: yaml-cpp takes one of them for the end of the file, and reads UTF-16 as well.
@@ -84,6 +102,7 @@ class Chain {
 
   std::vector<Node> read(const fs::path& first) {
     const fs::path file = found(first, first);
+    require_known(file, first);
     append(file, open(file));
     while (const Node* extends = extended()) {
       const fs::path base = found((files_.back().parent_path() / extends->text).lexically_normal(), extends->text);

@@ -118,8 +118,7 @@ TEST_F(Segment, SegmentsAreMadeOfThePatchesAndPairsOfTheResult) {
   }
   EXPECT_EQ(used.size(), patches.size());
 
-  const std::set<std::string> names{"r_co",  "r_rs",  "r_tr",  "r_ga",  "r_fo", "r_co3",
-                                    "r_cu3", "r_di2", "r_vd2", "r_th"};
+  const std::set<std::string> names{"r_co", "r_rs", "r_tr", "r_ga", "r_fo", "r_co3", "r_cu3", "r_di2", "r_vd2", "r_th"};
   const std::set<std::string> assembly_names{"r_co", "r_md", "r_nm", "r_ex", "r_go", "r_gl", "r_hb",
                                              "r_ho", "r_hn", "r_hh", "r_th", "r_cc", "r_cd", "r_sp"};
   ASSERT_FALSE(pairs.empty());

@@ -63,6 +63,14 @@ TEST(Usage, HelpAndVersionAreSubcommandsToo) {
   for (const char* word : {"version", "-v"}) EXPECT_EQ(run_gestalt({word}).out, run_gestalt({"--version"}).out);
 }
 
+TEST(Usage, InstalledConfigsAreKnownByName) {
+  EXPECT_EQ(run_gestalt({"config", "print", "realtime"}).out, run_gestalt({"config", "print", "realtime.yaml"}).out);
+  expect_success(run_gestalt({"config", "check", "--config", "realtime"}));
+  for (const char* name : {"realtme", "realtme.yaml"})
+    expect_refused(run_gestalt({"config", "print", name}), 2,
+                   {"there is no config 'realtme", "did you mean 'realtime'?", "which are default, ", ", paper, "});
+}
+
 TEST(Usage, NothingButTheNameGetsTheHelp) {
   const std::string help = run_gestalt({"--help"}).out;
   const Outcome outcome = run_gestalt({});
