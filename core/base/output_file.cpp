@@ -27,7 +27,7 @@ namespace {
 constexpr const char* choose_another = "; choose another --output";
 
 // Of names that nobody else gives to files: .gestalt-0123456789abcdef.tmp
-constexpr std::string_view temporary_begin = ".gestalt-", temporary_end = ".tmp", hexadecimal = "0123456789abcdef";
+constexpr std::string_view temporary_begin = ".gestalt-", temporary_end = ".tmp", hex_digits = "0123456789abcdef";
 constexpr std::size_t temporary_digits = 16;
 
 std::string temporary_name() {
@@ -35,8 +35,8 @@ std::string temporary_name() {
   if (::getentropy(random.data(), random.size()) != 0) throw OutputError("the system gives no random numbers");
   std::string name(temporary_begin);
   for (const unsigned char byte : random) {
-    name += hexadecimal[byte >> 4];
-    name += hexadecimal[byte & 15];
+    name += hex_digits[byte >> 4];
+    name += hex_digits[byte & 15];
   }
   return name.append(temporary_end);
 }
@@ -45,7 +45,7 @@ bool is_temporary(std::string_view name) {
   if (name.size() != temporary_begin.size() + temporary_digits + temporary_end.size()) return false;
   const std::string_view digits = name.substr(temporary_begin.size(), temporary_digits);
   return name.starts_with(temporary_begin) && name.ends_with(temporary_end) &&
-         digits.find_first_not_of(hexadecimal) == digits.npos;
+         digits.find_first_not_of(hex_digits) == digits.npos;
 }
 
 [[noreturn]] void fail(const fs::path& file, const std::string& why) {
