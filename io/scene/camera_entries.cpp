@@ -67,8 +67,8 @@ std::optional<double> number_of(std::string_view text) {
   return value;
 }
 
-CameraEntries::CameraEntries(std::filesystem::path file, const YAML::Node& root, bool json)
-    : file_(std::move(file)), json_(json), start_(root.Mark()) {
+CameraEntries::CameraEntries(std::filesystem::path file, const YAML::Node& root, bool is_json)
+    : file_(std::move(file)), json_(is_json), start_(root.Mark()) {
   for (const auto& entry : root) {
     const YAML::Mark mark = entry.first.Mark();
     if (!entry.first.IsScalar())

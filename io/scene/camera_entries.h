@@ -21,8 +21,8 @@ std::optional<double> number_of(std::string_view text);
 /// The keys of a camera file with what stands under them, and what is found wrong with them.
 class CameraEntries {
  public:
-  /// root must be a map; file is for messages. json: a program wrote it.
-  CameraEntries(std::filesystem::path file, const YAML::Node& root, bool json = false);
+  /// root must be a map; file is for messages. is_json: a program wrote it.
+  CameraEntries(std::filesystem::path file, const YAML::Node& root, bool is_json = false);
 
   bool is_json() const { return json_; }
 
