@@ -81,7 +81,7 @@ cv::Mat draw_segments(const Frame& frame, const Segmentation& segmentation) {
     for (int u = 0; u < labels.cols; ++u) {
       const int own = object_at(v, u);
       const auto ends = [&](int x, int y) { return x < labels.cols && y < labels.rows && object_at(y, x) != own; };
-      const cv::Vec3b base = below.at<cv::Vec3b>(v, u);
+      const cv::Vec3b& base = below.at<cv::Vec3b>(v, u);
       auto& pixel = picture.at<cv::Vec3b>(v, u);
       if (ends(u + 1, v) || ends(u, v + 1) || ends(u + 1, v + 1))
         pixel = {255, 255, 255};
