@@ -54,7 +54,7 @@ class DepthOnly {
 bool depth_only_may_replace(const PipelineOptions& options);
 
 /// Options for scenes that are trained on or scored together: as they are; or with depth_only.yaml where it may replace
-/// the default and no scene has colour, which is told on stderr, with a remark behind it.
+/// the default and no scene has colour, which is reported on stderr, with a remark behind it.
 PipelineOptions options_for_all(PipelineOptions options, const std::vector<std::filesystem::path>& scenes,
                                 const ReadOptions& read, const std::string& remark = "");
 

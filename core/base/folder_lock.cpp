@@ -48,8 +48,7 @@ std::string holder_of(int file) {
 
 bool try_lock(int file) { return ::flock(file, LOCK_EX | LOCK_NB) == 0; }
 
-// The folder is opened anew, as a lock belongs to what was opened: of two threads with one descriptor both would have
-// it.
+// The folder is opened again, as the lock belongs to the open file: two threads with one descriptor would both have it.
 FolderLock::FolderLock(int folder, const std::filesystem::path& path, std::chrono::milliseconds most)
     : folder_(::openat(folder, ".", O_RDONLY | O_DIRECTORY | O_CLOEXEC)) {
   constexpr std::chrono::milliseconds between{1};

@@ -26,7 +26,7 @@ class RunningComponent {
   ComponentName before_;
 };
 
-/// What a component throws that is no Error, as code of others may, becomes a PluginError with its name.
+/// Turns an exception of a component that is not an Error into a PluginError with its name.
 template <class Work>
 auto blame_component(ComponentName name, const Work& work) {
   try {

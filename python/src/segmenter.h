@@ -27,7 +27,7 @@ void bind_segmenter(py::module_& module);
 /// The functions train, cross_validate and score.
 void bind_learning(py::module_& module);
 
-/// What is told of scenes beside what their files tell, as functions take it.
+/// How scenes are to be read, in addition to what their files say; the arguments of the functions of Python.
 struct Reading {
   std::optional<Camera> camera;
   std::optional<double> depth_scale;
