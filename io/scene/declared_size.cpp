@@ -6,6 +6,7 @@
 #include <charconv>
 #include <cstdint>
 #include <limits>
+#include <map>
 #include <utility>
 #include <vector>
 
@@ -47,17 +48,80 @@ std::optional<cv::Size> pnm_size(std::string_view bytes) {
   return size_of(width, next());
 }
 
-/// The value of an attribute of the first part, whose attributes are: name, type, size of the value, value. Nothing
-/// where it is not there or any of them is damaged: OpenEXR takes memory for what any claims.
+/// Bytes that OpenEXR reads for a value of a type that has a fixed size; of others, which it reads by the declared
+/// size, nothing.
+std::optional<std::size_t> exr_value_size(std::string_view type) {
+  static const std::map<std::string_view, std::size_t> sizes{{"box2f", 16},
+                                                             {"box2i", 16},
+                                                             {"chromaticities", 32},
+                                                             {"compression", 1},
+                                                             {"deepImageState", 1},
+                                                             {"double", 8},
+                                                             {"envmap", 1},
+                                                             {"float", 4},
+                                                             {"int", 4},
+                                                             {"keycode", 28},
+                                                             {"lineOrder", 1},
+                                                             {"m33d", 72},
+                                                             {"m33f", 36},
+                                                             {"m44d", 128},
+                                                             {"m44f", 64},
+                                                             {"rational", 8},
+                                                             {"tiledesc", 9},
+                                                             {"timecode", 8},
+                                                             {"v2d", 16},
+                                                             {"v2f", 8},
+                                                             {"v2i", 8},
+                                                             {"v3d", 24},
+                                                             {"v3f", 12},
+                                                             {"v3i", 12}};
+  const auto found = sizes.find(type);
+  return found == sizes.end() ? std::nullopt : std::optional(found->second);
+}
+
+constexpr std::size_t exr_channel_size = 16;  // of what follows a channel's name
+
+/// How many channels a list has; nothing when it does not end with its value, as OpenEXR reads it to its end.
+std::optional<std::size_t> exr_channel_count(std::string_view list) {
+  for (std::size_t count = 0; !list.empty(); ++count) {
+    const std::size_t name = list.find('\0');
+    if (name == 0) return list.size() == 1 ? std::optional(count) : std::nullopt;
+    if (name == list.npos || list.size() - name <= exr_channel_size) return std::nullopt;
+    list.remove_prefix(name + 1 + exr_channel_size);
+  }
+  return std::nullopt;
+}
+
+/// Whether OpenEXR reads exactly the declared bytes of a value. Where it reads others, it takes what follows for
+/// attributes, and memory for whatever those claim.
+bool exr_value_fits(std::string_view type, std::string_view value) {
+  if (type == "chlist") return exr_channel_count(value).has_value();
+  if (type == "preview")
+    return value.size() >= 8 &&
+           std::uint64_t(number_at(value, 0, 4, false)) * number_at(value, 4, 4, false) == (value.size() - 8) / 4 &&
+           value.size() % 4 == 0;
+  if (type == "stringvector") {
+    while (value.size() >= 4 && number_at(value, 0, 4, false) <= value.size() - 4)
+      value.remove_prefix(4 + number_at(value, 0, 4, false));
+    return value.empty();
+  }
+  return value.size() == exr_value_size(type).value_or(value.size());
+}
+
+/// The value of an attribute of a file with one part, whose attributes are: name, type, size of the value, value.
+/// Nothing where it is not there or any of them is damaged: OpenEXR takes memory for what any claims.
 std::optional<std::string_view> exr_attribute(std::string_view bytes, std::string_view wanted) {
-  bytes.remove_prefix(std::min<std::size_t>(8, bytes.size()));
+  if (!is_flat_exr(bytes)) return std::nullopt;
+  bytes.remove_prefix(8);
   std::optional<std::string_view> found;
   while (!bytes.empty() && bytes[0] != '\0') {
     const std::size_t name = bytes.find('\0');
     const std::size_t type = name == bytes.npos ? name : bytes.find('\0', name + 1);
     if (type == bytes.npos || bytes.size() - type < 5) return std::nullopt;
     const std::size_t size = number_at(bytes, type + 1, 4, false), value = type + 5;
-    if (bytes.size() - value < size) return std::nullopt;
+    if (bytes.size() - value < size ||
+        !exr_value_fits(bytes.substr(name + 1, type - name - 1), bytes.substr(value, size)))
+      return std::nullopt;
     if (bytes.substr(0, name) == wanted) found = bytes.substr(value, size);
     bytes.remove_prefix(value + size);
   }
@@ -119,13 +183,13 @@ std::optional<cv::Size> declared_size(std::string_view bytes, ImageKind kind) {
   }
 }
 
+bool is_flat_exr(std::string_view bytes) {
+  constexpr unsigned deep = 0x8, several_parts = 0x10;
+  return bytes.size() > 8 && (std::uint8_t(bytes[5]) & (deep | several_parts)) == 0;
+}
+
 std::size_t exr_channels(std::string_view bytes) {
-  constexpr std::size_t entry = 16;  // type, and what else is said of a channel, behind its name
-  std::string_view list = exr_attribute(bytes, "channels").value_or("");
-  std::size_t count = 0;
-  for (; !list.empty() && list[0] != '\0'; ++count)
-    list.remove_prefix(std::min(list.size(), std::min(list.find('\0'), list.size()) + 1 + entry));
-  return count;
+  return exr_channel_count(exr_attribute(bytes, "channels").value_or("")).value_or(0);
 }
 
 }  // namespace gestalt

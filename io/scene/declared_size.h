@@ -7,6 +7,8 @@
 #include <string>
 #include <string_view>
 
+#include "gestalt/core/base/export.h"
+
 namespace gestalt {
 
 enum class ImageKind { png, jpeg, tiff, pnm, pfm, exr, npy, unknown };
@@ -19,9 +21,12 @@ std::string seen_as(std::string_view bytes);
 
 /// The size that the header of a TIFF, PNM, PFM or EXR file declares, so that no memory is taken for what a few bytes
 /// claim; nothing when the header is damaged.
-std::optional<cv::Size> declared_size(std::string_view bytes, ImageKind kind);
+GESTALT_EXPORT std::optional<cv::Size> declared_size(std::string_view bytes, ImageKind kind);
+
+/// Whether an EXR file has one part, and one sample a pixel: others are not read.
+GESTALT_EXPORT bool is_flat_exr(std::string_view bytes);
 
 /// How many channels an EXR file declares; each takes memory for some hundred rows before any is read.
-std::size_t exr_channels(std::string_view bytes);
+GESTALT_EXPORT std::size_t exr_channels(std::string_view bytes);
 
 }  // namespace gestalt

@@ -58,6 +58,8 @@ cv::Mat decode_other(const fs::path& file, std::string_view bytes, ImageKind kin
   if (kind == ImageKind::unknown)
     fail(file, "is not an image that can be read" + seen_as(bytes) +
                    "; save it as PNG (depth: 16-bit grey), JPEG (colour only), TIFF, PGM, PPM or EXR");
+  if (kind == ImageKind::exr && bytes.size() > 8 && !is_flat_exr(bytes))
+    fail(file, "is an EXR file of several parts or of deep pixels; write its depth, or its colour, as one flat part");
   const auto size = declared_size(bytes, kind);
   if (!size) fail(file, "is truncated or damaged in its header; copy or write it again");
   if (size->width < 1 || size->height < 1 || std::int64_t{size->width} * size->height > most_pixels)
