@@ -13,6 +13,7 @@ const Parameters<Normals::Params>& Normals::parameters() {
   static const auto parameters = [] {
     Parameters<Params> all;
     declare_tolerances(all);
+    declare_colour_cuts(all);
     return all;
   }();
   return parameters;
@@ -23,7 +24,9 @@ PatchMap Normals::cluster(const Frame& frame) const {
   const NormalMap map = estimate_normals(frame, tolerances);
   LabelledPatches patches = tidy_outlines(frame, map, tolerances, grow_patches(frame, map, tolerances));
   patches = gather_leftovers(frame, map, tolerances, std::move(patches));
-  return {std::move(patches.labels), map.normals, patches.count};
+  if (params_.cut_share == 0 || !frame.has_colour()) return {std::move(patches.labels), map.normals, patches.count, {}};
+  CutPatches cut = cut_along_colour_edges(frame, patches, params_);
+  return {std::move(cut.patches.labels), map.normals, cut.patches.count, std::move(cut.grown)};
 }
 
 }  // namespace gestalt

@@ -68,5 +68,18 @@ TEST(Normals, LabelsEveryValidPixelAndLeavesNoGap) {
   for (const int u : used) EXPECT_EQ(u, 1);
 }
 
+TEST(Normals, CutsAlongColourEdgesOnlyWhereItIsAskedToAndThereIsColour) {
+  auto scene = test::render({{{200, 150, 160, 160}, {0, 0, 1}, {0, 0, -1}, {40, 40, 200}}});
+  scene.frame.colour(cv::Rect(200, 150, 60, 160)).setTo(cv::Scalar(200, 60, 40));
+  EXPECT_EQ(Normals({}).cluster(scene.frame).count, 1);
+  Normals::Params cutting;
+  cutting.cut_share = 0.8;
+  const PatchMap map = Normals(cutting).cluster(scene.frame);
+  EXPECT_EQ(map.count, 2);
+  EXPECT_EQ(map.cut_from, (std::vector<int>{1, 1}));
+  scene.frame.colour = cv::Mat();
+  EXPECT_EQ(Normals(cutting).cluster(scene.frame).count, 1);
+}
+
 }  // namespace
 }  // namespace gestalt

@@ -58,7 +58,7 @@ PatchMap PyramidNormals::cluster(const Frame& frame) const {
   PyramidLevel& finest = levels.front();
   LabelledPatches patches =
       gather_leftovers(finest.frame, finest.normals, finest.tolerances, std::move(finest.patches));
-  return {std::move(patches.labels), finest.normals.normals, patches.count};
+  return {std::move(patches.labels), finest.normals.normals, patches.count, {}};
 }
 
 }  // namespace gestalt

@@ -119,6 +119,10 @@ TEST(Contract, OfAClusterer) {
       {"another size", [](PatchMap& p) { p.normals = p.normals.rowRange(0, 2); }},
       {"the label 7", [](PatchMap& p) { p.labels(3, 3) = 7; }},
       {"the label -1", [](PatchMap& p) { p.labels(3, 3) = -1; }},
+      {"cut_from of 3 numbers for 1 patches",
+       [](PatchMap& p) {
+         p.cut_from = {1, 1, 1};
+       }},
       {"not finite", [](PatchMap& p) { p.normals(3, 3)[1] = std::numeric_limits<float>::quiet_NaN(); }},
       {"failed: made to", [](PatchMap&) { throw std::runtime_error("made to"); }},
       {"no message", [](PatchMap&) { throw 7; }}};

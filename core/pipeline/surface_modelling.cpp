@@ -8,6 +8,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <iterator>
 #include <limits>
 #include <numeric>
 #include <set>
@@ -27,7 +28,18 @@ struct Candidate {
   SurfaceModels models;                 // by fitter, null where there is none
   std::size_t fitter = 0;               // whose model is the best description
   double error = 0;                     // its S_err of Eq. 2, in points
+  std::vector<int> cut_from;            // sorted: what its patches were cut from
 };
+
+/// Whether a clusterer cut a patch of the one from a patch of the other.
+bool were_cut_apart(const Candidate& a, const Candidate& b) {
+  auto i = a.cut_from.begin(), j = b.cut_from.begin();
+  while (i != a.cut_from.end() && j != b.cut_from.end()) {
+    if (*i == *j) return true;
+    ++(*i < *j ? i : j);
+  }
+  return false;
+}
 
 /// A surface that explains two patches together, and what it saves over two (Eq. 8).
 struct Merger {
@@ -75,6 +87,7 @@ class SurfaceModeller {
   /// fitter of planes merges nothing and the large patches are left alone.
   Merger merge(const Candidate& a, const Candidate& b) const {
     require_time();
+    if (were_cut_apart(a, b)) return {};
     const std::size_t size_a = a.points.size(), size_b = b.points.size();
     const double normalisation =
         params_.normalisation == "merged" ? double(size_a + size_b) : double(std::min(size_a, size_b));
@@ -104,6 +117,10 @@ class SurfaceModeller {
   void absorb(Candidate& a, Candidate& b, Merger merger) const {
     for (std::size_t f = 0; f < fitters_.size() && admits(f, a.points.size() + b.points.size()); ++f)
       if (!merger.models[f]) merger.models[f] = fit_merged(f, a, b);
+    std::vector<int> cut_from;
+    std::set_union(a.cut_from.begin(), a.cut_from.end(), b.cut_from.begin(), b.cut_from.end(),
+                   std::back_inserter(cut_from));
+    a.cut_from = std::move(cut_from);
     a.pixels.insert(a.pixels.end(), b.pixels.begin(), b.pixels.end());
     a.points.insert(a.points.end(), b.points.begin(), b.points.end());
     a.models = std::move(merger.models);
@@ -180,6 +197,7 @@ void append_run(std::vector<int>& pixels, int first, int end) {
 
 std::vector<Candidate> gather(const Frame& frame, const PatchMap& patches) {
   std::vector<Candidate> candidates(std::size_t(patches.count));
+  for (std::size_t i = 0; i < patches.cut_from.size(); ++i) candidates[i].cut_from = {patches.cut_from[i]};
   std::vector<std::size_t> sizes(candidates.size(), 0);
   for_each_run(patches.labels,
                [&](int label, int first, int end) { sizes[std::size_t(label) - 1] += std::size_t(end - first); });

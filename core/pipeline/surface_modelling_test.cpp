@@ -67,6 +67,17 @@ test::KnownScene step(float height) {
       {{{100, 100, 20, 20}, {0, 0, 1}, {0, 0, -1}}, {{120, 100, 20, 20}, {0, 0, 1 + height}, {0, 0, -1}}});
 }
 
+TEST(SurfaceModelling, LeavesPartsApartThatTheClustererCut) {
+  auto scene = test::render({{{100, 100, 20, 20}, {0, 0, 1}, {0, 0, -1}},
+                             {{120, 100, 20, 20}, {0, 0, 1}, {0, 0, -1}},
+                             {{100, 120, 40, 20}, {0, 0, 1}, {0, 0, -1}}});
+  EXPECT_EQ(model_surfaces(scene.frame, scene.patches, frontal(), {}).surfaces.size(), 1U);
+  scene.patches.cut_from = {1, 1, 2};  // the third may join one of the two, and then not the other
+  const SurfaceSet set = model_surfaces(scene.frame, scene.patches, frontal(), {});
+  EXPECT_EQ(set.surfaces.size(), 2U);
+  EXPECT_NE(set.labels(110, 110), set.labels(110, 130));
+}
+
 TEST(SurfaceModelling, MergesPatchesOfOnePlane) {
   const auto scene = step(0);
   const SurfaceSet set = model_surfaces(scene.frame, scene.patches, frontal(), {});

@@ -3,6 +3,7 @@
 
 #include "contract.h"
 
+#include <algorithm>
 #include <cmath>
 
 namespace gestalt {
@@ -18,6 +19,9 @@ namespace {
 void require_patches(ComponentName clusterer, const PatchMap& patches, const Frame& frame) {
   if (patches.labels.size() != frame.depth.size() || patches.normals.size() != frame.depth.size())
     broken(clusterer, "labels or normals of another size than the frame's");
+  if (!patches.cut_from.empty() && patches.cut_from.size() != std::size_t(std::max(0, patches.count)))
+    broken(clusterer, "cut_from of " + std::to_string(patches.cut_from.size()) + " numbers for " +
+                          std::to_string(patches.count) + " patches");
   for (int v = 0; v < frame.height(); ++v) {
     const int* label = patches.labels[v];
     const cv::Vec3f* normal = patches.normals[v];
