@@ -48,7 +48,7 @@ void report_end(const char* how) {
   if (const char* component = running_component()) {
     say(" while ");
     say(component);
-    say(" was at work; report this to its author, or leave it out of the config");
+    say(" was running; report this to its author, or remove it from the config");
   }
   say("\n");
 }
@@ -71,7 +71,7 @@ void refuse_exit() {
   try {
     if (const std::exception_ptr thrown = std::current_exception()) std::rethrow_exception(thrown);
   } catch (const std::bad_alloc&) {
-    say("gestalt: error: there is no more memory; allow the process more\n");
+    say("gestalt: error: out of memory; raise the memory limit of this process\n");
     _exit(run_failed);
   } catch (...) {
   }

@@ -64,7 +64,9 @@ void require_apart(const Protocol& protocol) {
   const auto require_new = [&](const std::vector<fs::path>& scenes) {
     for (const fs::path& scene : scenes)
       if (learnt.contains(fs::weakly_canonical(scene)))
-        throw ConfigError(scene.string() + ": is a test scene and one to learn from; a model must be tested on others");
+        throw ConfigError(
+            scene.string() +
+            ": is both a training scene and a test scene; test a model on scenes that it was not trained on");
   };
   require_new(protocol.test);
   for (const FurtherSet& set : protocol.further) require_new(set.scenes);

@@ -12,8 +12,8 @@
 
 namespace gestalt::app {
 
-/// run_experiments() with a progress bar; warnings and the variants that failed are told on stderr. Throws the first
-/// failure when no variant has a result.
+/// run_experiments() with a progress bar; warnings and the variants that failed are reported on stderr. Throws the
+/// first failure when no variant has a result.
 std::vector<ExperimentOutcome> run_with_progress(const std::vector<Variant>& variants, const Registry& registry,
                                                  const Protocol& protocol, const OutputPath& store);
 

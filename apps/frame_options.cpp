@@ -29,7 +29,7 @@ void require_input_or_frame(const std::vector<fs::path>& inputs, const FrameOpti
   if (inputs.empty() && options.depth.empty())
     throw CLI::ValidationError("inputs", "is required: a scene or a folder of scenes, or --depth and --rgb");
   if (!inputs.empty() && !options.depth.empty())
-    throw CLI::ValidationError("--depth", "is a frame by itself; give no other input with it");
+    throw CLI::ValidationError("--depth", "already gives the frame; remove the other inputs");
 }
 
 std::vector<fs::path> inputs_with_frame(std::vector<fs::path> inputs, FrameOptions& options) {
@@ -42,7 +42,7 @@ std::vector<fs::path> inputs_with_frame(std::vector<fs::path> inputs, FrameOptio
   std::vector<fs::path> depth, others;
   for (const fs::path& input : inputs) (is_depth_image(input) ? depth : others).push_back(input);
   if (depth.empty() && inputs.size() == 1 && lower_extension(inputs.front()) == ".npy")
-    return inputs;  // whose reader tells what to write
+    return inputs;  // whose reader explains what to write
   if (depth.empty())
     throw InputError(inputs.front().string() + (inputs.size() > 1 ? ", " + inputs.back().string() : "") +
                      ": no depth image (one channel of 16 bits or floats), which is needed beside colour; give it as "

@@ -86,8 +86,7 @@ int main(int argc, char** argv) {
   try {
     return run_command(argc, argv);
   } catch (const std::bad_alloc&) {
-    const gestalt::Error error(
-        "what was read takes more memory than this process may have; allow it more, or give it less");
+    const gestalt::Error error("out of memory; raise the memory limit of this process, or use a smaller input");
     return report(error, gestalt::app::run_failed);
   } catch (const std::exception& error) {
     return report(error, gestalt::app::run_failed);

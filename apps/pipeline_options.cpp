@@ -39,11 +39,11 @@ void add_shorthands(CLI::App& command, PipelineOptions& options) {
       ->check(CLI::IsMember(noise->choices))
       ->type_name("NAME");
   add("--max-depth", "decision.figure_ground.max_depth",
-      "What is farther away than so many metres is background; 0: nothing is")
+      "Treat everything farther away than this many metres as background; 0: off")
       ->check(CLI::Range(0.0, 1000.0))
       ->type_name("M");
   add("--min-object", "decision.figure_ground.min_object",
-      "What shows less than so many square centimetres is background")
+      "Treat segments with a visible area below this many square centimetres as background")
       ->check(CLI::Range(0.0, 1e6))
       ->type_name("CM2");
 }

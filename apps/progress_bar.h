@@ -7,7 +7,7 @@
 
 namespace gestalt::app {
 
-/// One line on stderr that is drawn over itself. Nothing for a single step, or where stderr is no terminal.
+/// One line on stderr that is drawn over itself. Nothing for a single step, or where stderr is not a terminal.
 class ProgressBar {
  public:
   explicit ProgressBar(std::size_t total);

@@ -52,9 +52,9 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
   const auto intrinsic = [&](const char* name, std::optional<double>& value, const char* what) {
     return command.add_option(name, value, what)->check(CLI::Range(0.0, 1e7))->excludes(camera)->type_name("PX");
   };
-  CLI::Option* fx =
-      intrinsic("--fx", options.fx, "The same by numbers: focal length in pixel widths; the size is the images'");
-  CLI::Option* fy = intrinsic("--fy", options.fy, "Focal length in pixel heights (default: that of --fx)");
+  CLI::Option* fx = intrinsic("--fx", options.fx,
+                              "Horizontal focal length in pixels, instead of --camera; the size is that of the images");
+  CLI::Option* fy = intrinsic("--fy", options.fy, "Vertical focal length in pixels (default: that of --fx)");
   CLI::Option* cx = intrinsic("--cx", options.cx, "Column of the principal point");
   CLI::Option* cy = intrinsic("--cy", options.cy, "Row of the principal point");
   fx->needs(cx)->needs(cy);
@@ -68,17 +68,18 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
                               "files tell; else mm for whole numbers, m for floats and clouds)")
                           ->check(is_unit)
                           ->type_name("UNIT");
-  command.add_option("--depth-scale", options.depth_scale, "The same as a number: metres per unit")
+  command.add_option("--depth-scale", options.depth_scale, "The same as a number, metres per unit")
       ->check(CLI::Range(1e-9, 1e4))
       ->excludes(unit)
       ->type_name("S");
   add_named(
       command, "--depth-kind", depth_kinds, options.depth_kind,
-      "What depth is: plain, along the optical axis (the default); radial, the distance from the camera; rotated, "
+      "Meaning of depth: plain, along the optical axis (the default); radial, the distance from the camera; rotated, "
       "16 bits rotated by three as in SUN RGB-D")
       ->type_name("KIND");
   add_named(command, "--labels", label_schemes, options.labels,
-            "What ground truth counts (default: guessed where that is certain): osd, 0 ignored, 1 to 9 background, 20 "
+            "Meaning of the ground truth's numbers (default: guessed where that is certain): osd, 0 ignored, 1 to 9 "
+            "background, 20 "
             "to 29 the first object, ...; objects, 0 background, every other number an object; colours, the commonest "
             "is background")
       ->type_name("SCHEME");

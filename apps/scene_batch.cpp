@@ -37,7 +37,7 @@ Outcome outcome_of(const std::filesystem::path& scene, const SceneWork& work) {
   });
 }
 
-/// The exit code tells why the only scene failed.
+/// The exit code says why the only scene failed.
 int only(const std::filesystem::path& scene, const SceneWork& work) {
   try {
     std::cout << work(scene) << std::endl;
@@ -57,7 +57,8 @@ std::string failure_message(const std::filesystem::path& scene, const std::excep
     const auto bytes =
         std::filesystem::is_regular_file(scene, ignored) ? std::filesystem::file_size(scene, ignored) : 0;
     return scene.string() + ": " + (bytes > 0 ? "its " + std::to_string(bytes) + " bytes take" : "takes") +
-           " more memory than this process may have; allow it more, or do fewer scenes at once by --threads 1";
+           " more memory than this process may use; raise its memory limit, or process fewer scenes at once with "
+           "--threads 1";
   }
   return dynamic_cast<const Error*>(&error) ? error.what() : scene.string() + ": " + error.what();
 }
@@ -98,7 +99,7 @@ int for_each_scene(const std::vector<std::filesystem::path>& scenes, const Scene
   if (failed > 0) std::cerr << "gestalt: " << failed << " of " << scenes.size() << " scenes failed\n";
   if (interruption.requested())
     std::cerr << "gestalt: interrupted: " << scenes.size() - reported << " of " << scenes.size()
-              << " scenes were not begun\n";
+              << " scenes were not started\n";
   return exit_code(failed > 0 ? run_failed : success);
 }
 

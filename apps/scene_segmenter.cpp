@@ -64,11 +64,11 @@ void add_segmenter_options(CLI::App& command, SegmenterOptions& options) {
   add_reading_options(command, options.reading);
   command.add_flag(
       "--debug-images", options.debug_images,
-      "Write what each level found, too: normals.png, signal_patches.png, surfaces.png, lines.png, graph.png");
+      "Also write what each level found: normals.png, signal_patches.png, surfaces.png, lines.png, graph.png");
   command
       .add_option("--also", options.also,
-                  "Write files for other programs, too: pcd, labelled.pcd, an organized cloud with labels; ply, "
-                  "labelled.ply; coco, coco.json, objects as instances with masks")
+                  "Also write files for other programs: pcd (labelled.pcd, an organized cloud with labels), ply "
+                  "(labelled.ply), coco (coco.json, objects as instances with masks)")
       ->check(CLI::IsMember(std::vector<std::string>(labelled_kinds.begin(), labelled_kinds.end())))
       ->delimiter(',')
       ->type_name("KIND,...");

@@ -21,7 +21,7 @@ Viewer::Viewer() : program_(std::filesystem::read_symlink("/proc/self/exe").repl
   std::error_code ignored;
   if (!std::filesystem::exists(program_, ignored))
     throw OutputError("--view needs " + program_.string() +
-                      ", which is not there; install the package gestalt-view, or see gestalt inspect");
+                      ", which is not installed; install the package gestalt-view, or use gestalt inspect");
   const char* display = std::getenv("DISPLAY");
   if (display == nullptr || *display == '\0')
     throw OutputError("--view needs a display, but $DISPLAY is not set; gestalt inspect writes a page for a browser");

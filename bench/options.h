@@ -13,7 +13,7 @@
 
 namespace gestalt::bench {
 
-/// What every program that measures whole frames is told on its command line.
+/// Command-line options of every program that measures whole frames.
 struct Options {
   std::vector<std::filesystem::path> scenes;
   std::filesystem::path config = default_config();

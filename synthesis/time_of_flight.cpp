@@ -198,7 +198,7 @@ Measurement measure_time_of_flight(const IdealView& view, const Camera& camera, 
   const cv::Mat_<float> bias = multipath(view, camera);
   const int radius = std::max(1, int(std::lround(pixel)));
   const cv::Mat_<uchar> beside = beside_jumps(view.depth, radius);
-  // The device's own smoothing; 1 cm is no jump to it.
+  // The device's own smoothing; 1 cm does not count as a jump.
   const cv::Mat_<float> smoothed = window_mean(view.depth, radius, 0.01f);
 
   Measurement measurement{{size, std::uint16_t(0)}, {size, IdealView::nothing}};

@@ -144,14 +144,16 @@ void add_ablate(CLI::App& app, Run& run) {
                            ->check(CLI::Range(2, 1000000))
                            ->capture_default_str()
                            ->type_name("K");
-  command->add_option("--seed", options->seed, "Deal the scenes to the folds in this random order; 0: in natural order")
+  command
+      ->add_option("--seed", options->seed,
+                   "Seed of the random order in which scenes are assigned to folds; 0: natural order")
       ->type_name("S");
   command->add_option("--test", options->test, "Train on SCENES and evaluate on these instead of cross-validation")
       ->excludes(folds)
       ->type_name("SCENES");
   command
       ->add_option("--output", options->output,
-                   "Folder for ablation.csv, .md and .html, plots, and results/, which a later run takes up")
+                   "Folder for ablation.csv, .md and .html, plots, and results/, which later runs reuse")
       ->check(not_empty)
       ->required()
       ->type_name("DIR");

@@ -31,7 +31,7 @@ void for_each_command(const CLI::App& command, const std::string& path, const F&
   for (const CLI::App* sub : subcommands(command)) for_each_command(*sub, path + ' ' + sub->get_name(), f);
 }
 
-/// Words that are no command or option are left to the shell: they are files mostly.
+/// Other words than commands and options are left to the shell: they are mostly files.
 std::string bash_script(const CLI::App& root) {
   std::ostringstream paths, cases;
   for_each_command(root, root.get_name(), [&](const std::string& path, const CLI::App& command) {
@@ -90,7 +90,7 @@ int print_script(const CLI::App& root, const std::string& shell) {
 
 void add_completion(CLI::App& app, Run& run) {
   const auto shell = std::make_shared<std::string>();
-  CLI::App* command = app.add_subcommand("completion", "Print a script that completes gestalt's words in a shell");
+  CLI::App* command = app.add_subcommand("completion", "Print a shell completion script");
   command->add_option("shell", *shell, "bash, zsh or fish")
       ->required()
       ->check(CLI::IsMember({"bash", "zsh", "fish"}))

@@ -71,7 +71,7 @@ void add_config(CLI::App& app, Run& run) {
   command->footer("Example: gestalt config check my_config.yaml");
 
   CLI::App* check_command =
-      command->add_subcommand("check", "Tell every error of a config; exit code 2 if there is one");
+      command->add_subcommand("check", "Report every error in a config; exit code 2 if there are any");
   add_options(*check_command, options->pipeline);
   check_command->footer("Example: gestalt config check my_config.yaml");
   check_command->callback([options, &run] { run = [options] { return check(*options); }; });
@@ -84,9 +84,9 @@ void add_config(CLI::App& app, Run& run) {
   print_command->callback([options, &run] { run = [options] { return print(*options); }; });
 
   CLI::App* schema_command =
-      command->add_subcommand("schema", "Print the JSON schema of a config, by which editors complete and check one");
+      command->add_subcommand("schema", "Print the JSON schema of configs, for completion and checks in editors");
   schema_command
-      ->add_option("file,--config", options->pipeline.config, "Search the plugin_directories of this config, too")
+      ->add_option("file,--config", options->pipeline.config, "Also search the plugin_directories of this config")
       ->type_name("FILE");
   schema_command->footer("Example: gestalt config schema > config.schema.json");
   schema_command->callback([options, &run] { run = [options] { return schema(*options); }; });

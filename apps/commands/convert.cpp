@@ -78,10 +78,10 @@ std::vector<SourceScene> own_scenes(const Options& options, const ReadOptions& r
   for (const fs::path& path : find_scenes({options.input})) {
     const SceneFormat* const format = scene_format_of(path);
     const std::string kind = format ? format->name : "";
-    if (!format) read_scene(path);  // tells why it is none
+    if (!format) read_scene(path);  // throws with the reason
     if (kind != options.from)
-      throw InputError(path.string() + ": is " + (kind == "scene" ? "a scene folder already" : "no " + options.from) +
-                       "; give only what --from says");
+      throw InputError(path.string() + ": is " + (kind == "scene" ? "already a scene folder" : "not " + options.from) +
+                       "; give only inputs of the layout that --from names");
     const bool labelled = options.from == "pcd";
     scenes.push_back({path, scene_name(path),
                       [=] { return labelled ? read_labelled_cloud(path, read) : converted(read_scene(path, read)); }});
@@ -119,14 +119,14 @@ std::string guess(const fs::path& input) {
     return scene_format_of(find_scenes({input}).front())->name;
   } catch (const InputError&) {  // of which the layout that is asked for tells
   }
-  throw InputError(input.string() + ": its files do not tell what layout it has; give --from");
+  throw InputError(input.string() + ": cannot tell its layout from its files; give --from");
 }
 
 std::vector<SourceScene> open(const Options& options) {
   const ReadOptions read = read_options(options.reading);
   const auto layout = std::ranges::find(layouts, options.from, &Layout::name);
   if (layout != layouts.end() && read.labels != LabelScheme::guess)
-    throw ConfigError("--labels: the annotation of --from " + options.from + " has one meaning; leave the option out");
+    throw ConfigError("--labels: the annotation of --from " + options.from + " has a fixed meaning; omit this option");
   return (layout == layouts.end() ? own_scenes : layout->scenes)(options, read);
 }
 
@@ -146,8 +146,7 @@ fs::path write(const Options& options, const std::string& set, const std::string
 
 int convert(Options options) {
   if (options.from.empty()) options.from = guess(options.input);
-  if (options.from == options.to)
-    throw InputError(options.input.string() + ": is of the layout that it would be converted to");
+  if (options.from == options.to) throw InputError(options.input.string() + ": already has the layout of --to");
   const std::vector<SourceScene> scenes = open(options);
   std::vector<NamedScene> named;
   for (const SourceScene& scene : scenes) named.push_back({scene.path, scene.name});
@@ -180,7 +179,7 @@ int convert(Options options) {
 
 void add_convert(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("convert", "Turn data of other layouts into scenes, and scenes into files");
+  CLI::App* command = app.add_subcommand("convert", "Convert data sets to scenes, and scenes to files");
   std::vector<std::string> sources, targets;
   std::string inputs, read, written;
   for (const Layout& layout : layouts) {

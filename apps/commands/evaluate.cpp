@@ -324,7 +324,9 @@ void add_evaluate(CLI::App& app, Run& run) {
       ->excludes(predictions)
       ->excludes(folds)
       ->type_name("WHAT");
-  command.add_option("--seed", options->seed, "Deal the scenes to the folds in this random order; 0: in natural order")
+  command
+      .add_option("--seed", options->seed,
+                  "Seed of the random order in which scenes are assigned to folds; 0: natural order")
       ->needs(folds)
       ->type_name("S");
   command
@@ -335,7 +337,7 @@ void add_evaluate(CLI::App& app, Run& run) {
       ->type_name("SCENES");
   command
       .add_option("--rule", options->rule,
-                  "Which segments the first table takes for background (default: majority; none for objects.png)")
+                  "Which segments the first table treats as background (default: majority; none for objects.png)")
       ->check(CLI::IsMember(names(background_rule_names)))
       ->type_name("RULE");
   command.add_flag("--parts", options->parts, "Regions are the visible parts of objects, not whole objects");

@@ -185,7 +185,7 @@ int export_surfaces(const Options& options) {
 void add_export(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command =
-      app.add_subcommand("export", "Write the surfaces of a result as a mesh; tell their size and error");
+      app.add_subcommand("export", "Write the surfaces of a result as a mesh; print their size and error");
   command->add_option("RESULT", options->result, "result.json of a scene")->required();
   command->add_option("--output", options->output, "Mesh file to write")
       ->required()

@@ -207,7 +207,7 @@ Description describe(const fs::path& path, const Options& options) {
   if (extension == ".yaml" || extension == ".yml") return describe_yaml(path);
   for (const char* of_cameras : {".xml", ".txt", ".intr", ".pincam", ".csv"})
     if (extension == of_cameras) return describe_camera_file(path);
-  fail(path, "is of no known kind");
+  fail(path, "is of an unknown kind");
 }
 
 std::string one_line(const Description& value) {
@@ -234,7 +234,7 @@ void add_info(CLI::App& app, Run& run) {
     bool json = false;
   };
   const auto arguments = std::make_shared<Arguments>();
-  CLI::App* command = app.add_subcommand("info", "Say what a scene, cloud, camera, config, model or result file is");
+  CLI::App* command = app.add_subcommand("info", "Describe a scene, cloud, camera, config, model or result file");
   command->add_option("FILE", arguments->files,
                       "Scene folder, folder of scenes, recording, " + scene_extensions(", ") +
                           ", depth image with or without its colour image, YAML or JSON file");
@@ -242,7 +242,7 @@ void add_info(CLI::App& app, Run& run) {
   add_reading_options(*command, arguments->reading);
   command
       ->add_option("--picture", arguments->picture,
-                   "Draw what was read as a PNG file: colour beside depth in colours (of a recording its first frame)")
+                   "Draw the input as a PNG file: colour beside colour-mapped depth (first frame of a recording)")
       ->type_name("FILE");
   command->add_flag("--json", arguments->json, "Print JSON");
   command->footer("Example: gestalt info examples/demo_scene");

@@ -60,23 +60,22 @@ fs::path choose(const std::vector<fs::path>& scenes, const Result& result, const
   if (scenes.size() == 1) return scenes[0];
   for (const fs::path& scene : scenes)
     if (scene_name(scene) == text_of(result, "scene")) return scene;
-  throw InputError(given.string() + ": holds no scene of the name '" + text_of(result, "scene") + "', as " +
-                   result.file.string() + " has it");
+  throw InputError(given.string() + ": contains no scene named '" + text_of(result, "scene") + "', to which " +
+                   result.file.string() + " refers");
 }
 
 fs::path scene_of(const Result& result, const Options& options) {
   if (!options.scenes.empty()) return choose(find_scenes({options.scenes}), result, options.scenes);
   const fs::path input = text_of(result, "input");
   std::error_code ignored;
-  if (input.empty())
-    throw InputError(result.file.string() + ": does not tell where its scene is; give it with --scene");
+  if (input.empty()) throw InputError(result.file.string() + ": does not record where its scene is; give --scene");
   if (!fs::exists(input, ignored))
     throw InputError(result.file.string() + ": its scene " + input.string() +
-                     " does not exist; if it was moved, give its place with --scene");
+                     " does not exist; if it was moved, give its location with --scene");
   return input;
 }
 
-/// The config of the result, but for its plugin_directories: the file may come from a stranger, and whoever opens it
+/// The config of the result, but for its plugin_directories: the file may be untrusted, and the user who opens it
 /// must not run what lies where it says.
 LoadedConfig load_config_of(const Result& result, const PipelineOptions& options) {
   if (!options.config.empty()) return load_config(options);
@@ -94,7 +93,7 @@ LoadedConfig load_config_of(const Result& result, const PipelineOptions& options
   } catch (const ConfigError& error) {
     if (directories.empty() || replaced) throw;
     const std::string given = directories.dump(-1, ' ', false, json::error_handler_t::replace);
-    throw ConfigError(std::string(error.what()) + "\n  not searched, as a result may come from a stranger: " + given +
+    throw ConfigError(std::string(error.what()) + "\n  not searched, because a result may be untrusted: " + given +
                       "; where you trust what lies there, add --set 'plugin_directories=" + given + "'");
   }
 }
@@ -128,9 +127,7 @@ void add_inspect(CLI::App& app, Run& run) {
       ->check(not_empty)
       ->capture_default_str()
       ->type_name("FILE");
-  command
-      ->add_option("--scene", options->scenes,
-                   "Where the scene is, or a folder of scenes, when it is no longer where the result says")
+  command->add_option("--scene", options->scenes, "Location of the scene, or of a folder of scenes, if it was moved")
       ->type_name("PATH");
   add_reading_options(*command, options->reading);
   add_pipeline_options(*command, options->pipeline);

@@ -57,7 +57,7 @@ std::string read(const fs::path& file) {
   std::ifstream stream(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(stream), {}};
   if (!stream.is_open() || stream.bad())
-    throw Error("the template '" + file.string() + "' cannot be read; repair the installation");
+    throw Error("the template '" + file.string() + "' cannot be read; reinstall Gestalt");
   return text;
 }
 
@@ -66,7 +66,7 @@ std::vector<OutputFile> project_files(const Options& options) {
   for (const std::string& part : {std::string("common"), options.kind}) {
     const fs::path folder = data_directory() / "templates" / part;
     if (!fs::is_directory(folder))
-      throw Error("the templates in '" + folder.string() + "' are not there; repair the installation");
+      throw Error("the templates in '" + folder.string() + "' do not exist; reinstall Gestalt");
     for (const fs::directory_entry& entry : fs::directory_iterator(folder))
       files.push_back({OutputPath(options.folder) / filled_in(entry.path().filename().string(), options),
                        filled_in(read(entry.path()), options)});
@@ -78,18 +78,18 @@ void check(const Options& options) {
   if (std::find(kinds.begin(), kinds.end(), options.kind) == kinds.end()) {
     std::string known;
     for (const std::string& kind : kinds) known += (known.empty() ? "" : ", ") + kind;
-    throw ConfigError("there is no kind '" + options.kind + "'" + did_you_mean(options.kind, kinds) +
-                      " (known: " + known + ")");
+    throw ConfigError("unknown kind '" + options.kind + "'" + did_you_mean(options.kind, kinds) + " (known: " + known +
+                      ")");
   }
   if (!std::regex_match(options.name, std::regex("[a-z]([a-z0-9]|_(?=[a-z0-9]))*")))
     throw ConfigError("'" + options.name + "' is not a valid plugin name: lower-case letters, digits and single " +
                       "underscores, such as my_relation");
   if (const Registry registry(plugin_search_path({})); registry.find(options.kind, options.name))
-    throw ConfigError("there is a " + options.kind + " '" + options.name + "' already, in " +
+    throw ConfigError("a " + options.kind + " named '" + options.name + "' already exists in " +
                       registry.find(options.kind, options.name)->library.string() + "; choose another name");
   std::error_code ignored;
   if (fs::exists(options.folder, ignored) && !fs::is_empty(options.folder, ignored))
-    throw ConfigError("'" + options.folder.string() + "' is there already; name a new or empty folder");
+    throw ConfigError("'" + options.folder.string() + "' already exists; name a new or empty folder");
 }
 
 /// The option by which CMake finds this installation, where it does not look by itself.
@@ -103,21 +103,21 @@ int write_project(const Options& options) {
   const std::vector<OutputFile> files = project_files(options);
   std::error_code error;
   fs::create_directories(options.folder, error);
-  if (error) throw OutputError("cannot make the folder '" + options.folder.string() + "': " + error.message());
+  if (error) throw OutputError("cannot create the folder '" + options.folder.string() + "': " + error.message());
   write_files(files);
   const std::string folder = options.folder.string();
   std::cout << "The " << options.kind << " '" << options.name << "' is in " << folder << ". Build and test it:\n"
             << "  cmake -S " << folder << " -B " << folder << "/build" << prefix_option() << '\n'
             << "  cmake --build " << folder << "/build\n"
             << "  ctest --test-dir " << folder << "/build --output-on-failure\n"
-            << "Then change " << options.name << ".cpp; " << folder << "/README.md tells the rest.\n";
+            << "Then change " << options.name << ".cpp; " << folder << "/README.md describes the rest.\n";
   return success;
 }
 
 void add_new_plugin(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command =
-      app.add_subcommand("new-plugin", "Write a plugin of your own that builds and passes its tests, to start from");
+      app.add_subcommand("new-plugin", "Create a plugin project that builds and passes its tests, as a starting point");
   command->add_option("KIND", options->kind, "clusterer, fitter, relation, classifier or solver")->required();
   command->add_option("NAME", options->name, "Its name in configs, such as my_relation")->required();
   command->add_option("DIR", options->folder, "The folder of its project, new or empty (default: NAME)");

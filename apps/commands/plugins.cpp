@@ -176,7 +176,7 @@ int describe(const Options& options) {
 }
 
 void add_options(CLI::App& command, Options& options) {
-  command.add_option("--config", options.config, "Search the plugin_directories of this config, too")
+  command.add_option("--config", options.config, "Also search the plugin_directories of this config")
       ->type_name("FILE");
   command.add_flag("--json", options.json, "Print as JSON");
 }
@@ -193,7 +193,7 @@ void add_plugins(CLI::App& app, Run& run) {
   list_command->footer("Example: gestalt plugins list");
   list_command->callback([options, &run] { run = [options] { return list(*options); }; });
 
-  CLI::App* describe_command = command->add_subcommand("describe", "Tell the parameters and values of a component");
+  CLI::App* describe_command = command->add_subcommand("describe", "Describe a component's parameters and values");
   describe_command->add_option("component", options->words, "[KIND] NAME, as in: relation gabor")
       ->type_name("NAME")
       ->required()

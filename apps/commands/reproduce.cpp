@@ -93,7 +93,7 @@ void add_reproduce(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command = app.add_subcommand(
       "reproduce",
-      "Make the tables of the paper from labelled scenes, with configs/paper.yaml unless --config is given");
+      "Reproduce the paper's tables from labelled scenes, with configs/paper.yaml unless --config is given");
   command
       ->add_option(
           "data", options->data,
@@ -103,7 +103,7 @@ void add_reproduce(CLI::App& app, Run& run) {
       ->type_name("DATA");
   command
       ->add_option("--output", options->output,
-                   "Folder for report.md, report.html, figures, and results/, which a later run takes up")
+                   "Folder for report.md, report.html, figures, and results/, which later runs reuse")
       ->check(not_empty)
       ->required()
       ->type_name("DIR");

@@ -51,7 +51,7 @@ int segment(const Options& options) {
       const std::filesystem::path folder = segmenter.folder_of(scene);
       const std::lock_guard lock(mutex);
       written.emplace(scene, folder);
-      return folder.string() + ": is there already";
+      return folder.string() + ": already done, skipped";
     }
     const SegmentedScene done = segmenter.segment(scene);
     std::ostringstream line;
@@ -79,8 +79,8 @@ void add_segment(CLI::App& app, Run& run) {
   add_frame_options(*command, options->frame);
   add_segmenter_options(*command, options->segmenter);
   command->add_flag("--resume", options->resume,
-                    "Leave out scenes whose results are complete, newer than the scene, and of this config, model, "
-                    "--camera and version: goes on where a run was interrupted");
+                    "Skip scenes whose results are complete and come from the same input, config, model, --camera and "
+                    "version; continues an interrupted run");
   command->add_flag(
       "--view", options->view,
       "Show the results in PCL's viewer afterwards (needs a display and gestalt-view); implies --also pcd");

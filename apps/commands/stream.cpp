@@ -119,27 +119,28 @@ int stream(const Options& options) {
 
 void add_stream(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("stream", "Segment frames as they come, from a camera's driver for instance");
+  CLI::App* command = app.add_subcommand("stream", "Segment frames as they arrive, for instance from a camera driver");
   command
       ->add_option("source", options->source,
                    "A folder of scenes, a file or named pipe with one path a line, or - for standard input")
       ->required()
       ->type_name("SOURCE");
-  command->add_flag("--follow", options->follow, "Wait for more scenes in the folder, till SIGINT, SIGTERM or --idle");
-  command->add_option("--idle", options->idle, "End when no frame has come for so many seconds; 0: never")
+  command->add_flag("--follow", options->follow, "Wait for more scenes in the folder, until SIGINT, SIGTERM or --idle");
+  command->add_option("--idle", options->idle, "Exit after this many seconds without a frame; 0: never")
       ->check(CLI::Range(0.0, 1e6))
       ->capture_default_str()
       ->type_name("SECONDS");
   CLI::Option* queue =
-      command->add_option("--queue", options->queue, "Frames that may wait; the source waits when there are more")
+      command
+          ->add_option("--queue", options->queue,
+                       "Largest number of waiting frames; the source is blocked while the queue is full")
           ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}))
           ->capture_default_str()
           ->type_name("N");
-  command->add_flag("--drop", options->drop, "Only the newest frame waits; those that it overtakes are dropped")
-      ->excludes(queue);
+  command->add_flag("--drop", options->drop, "Keep only the newest waiting frame and drop older ones")->excludes(queue);
   add_segmenter_options(*command, options->segmenter);
   command->footer(
-      "Prints one line of JSON a frame; latencies are from a frame's arrival till its result is written.\n"
+      "Prints one line of JSON a frame; latency runs from a frame's arrival until its result is written.\n"
       "Example: my_driver | gestalt stream - --drop --output out");
   command->callback([options, &run] { run = [options] { return stream(*options); }; });
 }

@@ -86,7 +86,7 @@ int synthesize_scenes(const SynthesizeOptions& options) {
 
 void add_synthesize(CLI::App& app, Run& run) {
   CLI::App& command = *app.add_subcommand(
-      "synthesize", "Makes labelled scenes of things on tables, in bins and on shelves, as a depth sensor sees them");
+      "synthesize", "Make labelled scenes of things on tables, in bins and on shelves, as a depth sensor sees them");
   auto options = std::make_shared<SynthesizeOptions>();
   command.footer("Example: gestalt synthesize --category complex_scene --seed 1 --count 5 --output scenes");
   command.add_option("--category", options->category, "One of " + known_names(category_names()))->required();

@@ -71,7 +71,7 @@ int train(const Options& options) {
 
 void add_train(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
-  CLI::App* command = app.add_subcommand("train", "Learn from scenes with ground truth which patches belong together");
+  CLI::App* command = app.add_subcommand("train", "Train a model on scenes with ground truth");
   command->add_option("scenes", options->scenes, "Scene folders with label.png, or folders of those")
       ->required()
       ->type_name("SCENES");

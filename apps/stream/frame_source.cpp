@@ -21,11 +21,11 @@ namespace fs = std::filesystem;
 std::unique_ptr<FrameSource> open_source(const fs::path& source, bool follow) {
   if (follow && !fs::is_directory(source))
     throw ConfigError("--follow: " + source.string() +
-                      " is not a folder; lines are followed without it, till their writer closes them");
+                      " is not a folder; omit --follow, a file or pipe is read until its writer closes it");
   if (source == "-") return std::make_unique<LineSource>(STDIN_FILENO, "standard input", fs::path());
   if (fs::exists(source) && is_scene(source))
     throw InputError(source.string() +
-                     ": is a scene, not where scenes come from; give the folder that holds it, or use " +
+                     ": is a scene, not a source of scenes; give the folder that contains it, or use " +
                      "'gestalt segment'");
   if (fs::is_directory(source)) return std::make_unique<FolderSource>(source, follow);
   // A named pipe without a writer must not block here, where no signal would be noticed.

@@ -26,7 +26,7 @@ class FrameSource {
 
 /// A folder of scenes: first those in it in natural order, then, with follow, those that are added, for ever. Or a
 /// file, a named pipe or standard input ("-") with one path a line, those in a file from the file's folder. Throws
-/// InputError for anything else, ConfigError when what is to be followed is no folder.
+/// InputError for anything else, ConfigError when the source to follow is not a folder.
 std::unique_ptr<FrameSource> open_source(const std::filesystem::path& source, bool follow);
 
 }  // namespace gestalt::app

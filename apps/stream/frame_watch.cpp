@@ -24,9 +24,9 @@ constexpr std::chrono::milliseconds least_patience = 5s;
 [[noreturn]] void end(const std::string& frame, int budget, std::chrono::milliseconds patience) {
   std::string names;
   for (const char* name : running_components()) names += (names.empty() ? "" : ", ") + std::string(name);
-  std::cerr << "gestalt: error: " << frame << ": not done after " << patience.count() << " ms, with a time_budget of "
-            << budget << " ms; at work: " << (names.empty() ? "no component" : names)
-            << "; the process ends, as nothing else stops a component that does not return\n"
+  std::cerr << "gestalt: error: " << frame << ": still running after " << patience.count()
+            << " ms, with a time_budget of " << budget << " ms; running: " << (names.empty() ? "no component" : names)
+            << "; ending the process, because a component that does not return cannot be stopped\n"
             << std::flush;
   std::_Exit(run_failed);
 }

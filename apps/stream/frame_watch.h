@@ -10,7 +10,7 @@
 namespace gestalt::app {
 
 /// While it lives, a frame is watched: after ten times its time budget, at least 5 s, the process ends with the exit
-/// code run_failed and a message that names the components at work, one of which does not return. Nothing else ends
+/// code run_failed and a message that names the running components, one of which does not return. Nothing else ends
 /// those. A budget of 0 is watched by nobody.
 class FrameWatch {
  public:

@@ -30,9 +30,9 @@ std::optional<std::vector<fs::path>> LineSource::next(std::size_t at_most) {
   if (!paths.empty() || !ended_) return paths;
   // What is left of a name may be another scene's.
   if (!unread_.empty())
-    throw InputError(
-        name_ + ":" + std::to_string(lines_ + 1) + ": the line '" + unread_.substr(0, 200) +
-        "' has no newline at its end: its writer may have died within it; end every line with one, the last one too");
+    throw InputError(name_ + ":" + std::to_string(lines_ + 1) + ": the line '" + unread_.substr(0, 200) +
+                     "' has no newline at its end, so its writer may have been interrupted; end every line with a "
+                     "newline, including the last");
   return std::nullopt;
 }
 

@@ -21,7 +21,7 @@ namespace {
 namespace fs = std::filesystem;
 
 constexpr double tolerance = 0.001;  ///< m, of a surface's triangles
-constexpr std::uint8_t grey = 190;   ///< of what is no object, where there is no colour
+constexpr std::uint8_t grey = 190;   ///< of everything but objects, where there is no colour
 
 /// Otherwise the cloud would take the intrinsics that lie near it.
 Camera camera_of(const fs::path& file, const nlohmann::json& content) {
@@ -95,7 +95,7 @@ ViewedResult read_viewed_result(const fs::path& folder) {
   const Input input = read_scene(cloud, options);
   if (const auto files = content.find("files");
       files != content.end() && files->is_object() && !files->contains(cloud.filename().string()))
-    throw InputError(cloud.string() + ": is of an earlier run; segment the scene again with --also pcd");
+    throw InputError(cloud.string() + ": comes from an earlier run; segment the scene again with --also pcd");
   // What was read first against what lies there now: somebody may have written both meanwhile.
   if (const std::string warning = warning_of_foreign_files(file, content); !warning.empty()) throw InputError(warning);
   if (input.ground_truth.empty()) throw InputError(cloud.string() + ": has no labels; segment the scene again");

@@ -66,11 +66,10 @@ std::unique_ptr<Predictor> Committee::train(const Samples& samples) const {
 
 std::unique_ptr<Predictor> Committee::restore(const nlohmann::json& state, std::size_t columns) const {
   if (!state.is_object() || !state.contains(share_key) || !state.contains(svm_key) || !state.contains(forest_key))
-    throw ModelError(
-        "a committee's state has svm_share, svm and random_forest; this one has not; train the model again");
+    throw ModelError("a committee's state has svm_share, svm and random_forest; this one has not; retrain the model");
   const nlohmann::json& share = state.at(share_key);
   if (!share.is_number() || !(share.get<double>() >= 0 && share.get<double>() <= 1))
-    throw ModelError("svm_share must be a number in [0, 1]; train the model again");
+    throw ModelError("svm_share must be a number in [0, 1]; retrain the model");
   return std::make_unique<CommitteePredictor>(share.get<double>(), Svm({}).restore(state.at(svm_key), columns),
                                               RandomForest({}).restore(state.at(forest_key), columns));
 }

@@ -4,7 +4,7 @@
 
 namespace gestalt {
 
-/// Starts anew the random numbers that libsvm draws in this thread; those of other threads, and the C library's rand()
+/// Restarts the random numbers that libsvm draws in this thread; those of other threads, and the C library's rand()
 /// of the program, are others. The numbers are those of srand(seed) and rand() of glibc.
 void seed_libsvm(unsigned seed);
 

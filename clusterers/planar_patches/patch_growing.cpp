@@ -123,7 +123,7 @@ class Growing {
         free_[std::size_t(q)] = 0;
         front_.push_back(q);
         plane.sum(p, n);
-        // The mean of many hardly moves: it is taken anew when a 1024th is added.
+        // The mean of many hardly moves: it is updated when a 1024th is added.
         if (plane.count < next_update) continue;
         plane.update();
         next_update = plane.count * (1 + 1. / 1024);

@@ -18,7 +18,7 @@ struct LabelledPatches {
 
 /// Recursive clustering (paper, Section 3). Seeds in order of increasing curvature; a patch grows over 4-neighbours
 /// whose normal is within eps(z) of the patch's mean normal and which lie within omega(z) of the patch's running plane.
-/// That plane is taken anew whenever the patch has grown by a 1024th. Labels are in order of growth and all in use;
+/// That plane is updated whenever the patch has grown by a 1024th. Labels are in order of growth and all in use;
 /// patches below min_patch_size are dissolved.
 LabelledPatches grow_patches(const Frame& frame, const NormalMap& normals, const Tolerances& tolerances);
 

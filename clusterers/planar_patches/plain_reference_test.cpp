@@ -209,7 +209,7 @@ double agreement(const cv::Mat_<int>& labels, const cv::Mat_<int>& other) {
   return most / all;
 }
 
-// The plane of a patch is taken anew only when a 1024th of its pixels was added, and seeds of nearly the same curvature
+// The plane of a patch is updated only when a 1024th of its pixels was added, and seeds of nearly the same curvature
 // come in any order: few pixels of a frame are in another patch for that.
 TEST(PatchGrowing, IsThatOfAPlaneTakenAnewAtEveryPixel) {
   for (const Category category : {Category::stacked_boxes, Category::complex_scene}) {

@@ -22,10 +22,10 @@ void Deadline::require(std::string_view at_work) const {
   if (budget_ == 0) return;
   const auto spent = std::chrono::duration_cast<std::chrono::milliseconds>(Clock::now() - begin_).count();
   if (spent < budget_) return;
-  throw TimeError("the frame's time is over: " + std::to_string(spent) + " ms of its time_budget of " +
-                  std::to_string(budget_) + " ms were spent when " + std::string(at_work) +
-                  " was at work; allow more, as with --set time_budget=" + std::to_string(2 * std::int64_t{budget_}) +
-                  " (0: no limit), or take out what is slow");
+  throw TimeError("the frame exceeded its time_budget of " + std::to_string(budget_) + " ms: " + std::to_string(spent) +
+                  " ms had passed while " + std::string(at_work) +
+                  " was running; raise it, for example with --set time_budget=" +
+                  std::to_string(2 * std::int64_t{budget_}) + " (0: no limit), or remove slow components");
 }
 
 }  // namespace gestalt

@@ -26,10 +26,9 @@ std::string read_bytes(const std::filesystem::path& file, std::uintmax_t most) {
   if (!in || error) fail("cannot be read: " + (error ? error.message() : std::string(std::strerror(errno))));
   if (size == 0) fail("is empty; write or copy it again");
   if (size > most)
-    fail("has " + std::to_string(size) + " bytes; such files of up to " + std::to_string(most) +
-         " bytes can be read, check the path");
+    fail("has " + std::to_string(size) + " bytes, more than the limit of " + std::to_string(most) + "; check the path");
   std::string bytes(size, '\0');
-  if (!in.read(bytes.data(), std::streamsize(size))) fail("cannot be read to its end; it may be changing on disk");
+  if (!in.read(bytes.data(), std::streamsize(size))) fail("cannot be read completely; it may be changing on disk");
   return bytes;
 }
 

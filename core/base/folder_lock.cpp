@@ -57,7 +57,7 @@ FolderLock::FolderLock(int folder, const std::filesystem::path& path, std::chron
     if (errno != EWOULDBLOCK && errno != EINTR) return;
     if (std::chrono::steady_clock::now() > end)
       throw OutputError((path.empty() ? "." : path.string()) + ": " + holder_of(folder_) +
-                        " is writing into it; wait until that has ended, or choose another --output");
+                        " is writing to it; wait for it to finish, or choose another --output");
     std::this_thread::sleep_for(between);
   }
 }

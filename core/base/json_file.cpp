@@ -55,7 +55,7 @@ class Builder {
   bool key(std::string& key) {
     take_memory(member_memory + key.size());
     const auto [member, is_new] = open_.back()->get_ref<json::object_t&>().emplace(std::move(key), nullptr);
-    if (!is_new) fail("the key '" + member->first.substr(0, 80) + "' is there twice; keep the one that is right");
+    if (!is_new) fail("the key '" + member->first.substr(0, 80) + "' appears twice; keep the correct one");
     member_ = &*member;
     keys_.back() = &member->first;
     return true;
@@ -64,7 +64,7 @@ class Builder {
   bool parse_error(std::size_t byte, const std::string&, const json::exception& problem) {
     const std::string place = name_ + ":" + place_of(byte, text_) + ": ";
     if (dynamic_cast<const json::out_of_range*>(&problem)) throw InputError(place + "the number is out of range");
-    throw InputError(place + "is not valid JSON from here on");
+    throw InputError(place + "is not valid JSON");
   }
 
  private:
@@ -89,7 +89,7 @@ class Builder {
     open_.push_back(&here);
     keys_.push_back(nullptr);
     if (open_.size() > deepest_)
-      fail("has more than " + std::to_string(deepest_) + " levels of lists and objects in each other");
+      fail("has more than " + std::to_string(deepest_) + " nested levels of lists and objects");
     return true;
   }
 
@@ -137,7 +137,7 @@ json parse_json(const std::string& name, std::string_view text, std::size_t deep
   return builder.take();
 } catch (const std::bad_alloc&) {
   throw InputError(name + ": its " + std::to_string(text.size()) +
-                   " bytes take more memory than this process may have; allow it more, or check the path");
+                   " bytes take more memory than this process may use; raise its memory limit, or check the path");
 }
 
 json read_json(const std::filesystem::path& file, std::uintmax_t most) {

@@ -37,8 +37,8 @@ TEST(Json, GivesTheValuesThatTheLibraryGives) {
 }
 
 TEST(Json, TellsWhereItIsNone) {
-  EXPECT_EQ(complaint("{\"a\": 1,\n  \"b\": oops}"), "a.json:2:8: is not valid JSON from here on");
-  EXPECT_EQ(complaint("{\"a\": 1} 2"), "a.json:1:10: is not valid JSON from here on");
+  EXPECT_EQ(complaint("{\"a\": 1,\n  \"b\": oops}"), "a.json:2:8: is not valid JSON");
+  EXPECT_EQ(complaint("{\"a\": 1} 2"), "a.json:1:10: is not valid JSON");
   EXPECT_NE(complaint(""), "");
   EXPECT_EQ(complaint("[1e999]"), "a.json:1:6: the number is out of range");
 }
@@ -51,16 +51,16 @@ TEST(Json, IsAsDeepAsItMayBe) {
     };
     EXPECT_EQ(complaint(nested(deepest_json / each)), "");
     for (const std::size_t levels : {deepest_json / each + 1, std::size_t{1'000'000}})
-      EXPECT_NE(complaint(nested(levels)).find("has more than 200 levels"), std::string::npos) << open;
+      EXPECT_NE(complaint(nested(levels)).find("has more than 200 nested levels"), std::string::npos) << open;
   }
   EXPECT_EQ(complaint("{\"levels\":{\"x\":[0," + times(300, "[") + "}"),
-            "a.json: levels.x[1][0][0][0][0][0]...: has more than 200 levels of lists and objects in each other");
+            "a.json: levels.x[1][0][0][0][0][0]...: has more than 200 nested levels of lists and objects");
 }
 
 TEST(Json, RefusesAKeyThatIsThereTwice) {
   EXPECT_EQ(complaint(R"({"a": [{"x": 1}, {"x": 1, "y": {}, "x": 2}]})"),
-            "a.json: a[1].y: the key 'x' is there twice; keep the one that is right");
-  EXPECT_EQ(complaint(R"({"a": 1, "a": 1})"), "a.json: a: the key 'a' is there twice; keep the one that is right");
+            "a.json: a[1].y: the key 'x' appears twice; keep the correct one");
+  EXPECT_EQ(complaint(R"({"a": 1, "a": 1})"), "a.json: a: the key 'a' appears twice; keep the correct one");
 }
 
 // Counted, not measured: 24 MB of text would take 0.5 GB and more.

@@ -32,7 +32,7 @@ constexpr std::size_t temporary_digits = 16;
 
 std::string temporary_name() {
   std::array<unsigned char, temporary_digits / 2> random{};
-  if (::getentropy(random.data(), random.size()) != 0) throw OutputError("the system gives no random numbers");
+  if (::getentropy(random.data(), random.size()) != 0) throw OutputError("the system provides no random numbers");
   std::string name(temporary_begin);
   for (const unsigned char byte : random) {
     name += hex_digits[byte >> 4];
@@ -80,13 +80,14 @@ Descriptor open_folder(const Way& way, const fs::path& file) {
   if (!folder) fail(file, std::strerror(errno) + std::string(choose_another));
   for (const fs::path& name : way.below) {
     path /= name;
-    if (name == "..") fail(file, path.string() + " leads out of the output folder");
+    if (name == "..") fail(file, path.string() + " leads outside the output folder");
     if (::mkdirat(folder, name.c_str(), 0777) != 0 && errno != EEXIST)
       fail(file, std::strerror(errno) + std::string(choose_another));
     Descriptor inner(::openat(folder, name.c_str(), as_folder | O_NOFOLLOW));
     const int why = errno;
     if (!inner && is_link(folder, name))
-      throw OutputError(path.string() + ": is a link, which may lead out of the output folder; remove it or choose " +
+      throw OutputError(path.string() +
+                        ": is a symbolic link that may lead outside the output folder; remove it or choose " +
                         "another --output");
     if (!inner) fail(file, std::strerror(why) + std::string(choose_another));
     folder = std::move(inner);

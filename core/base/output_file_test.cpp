@@ -134,7 +134,7 @@ TEST_F(OutputFiles, TheOneWhoWritesIsNamedAndItsDeathEndsTheLock) {
     ADD_FAILURE() << "two have the lock";
   } catch (const OutputError& error) {
     EXPECT_EQ(error.what(), folder.path().string() + ": process " + std::to_string(child) +
-                                " is writing into it; wait until that has ended, or choose another --output");
+                                " is writing to it; wait for it to finish, or choose another --output");
   }
   ::kill(child, SIGKILL);
   const FolderLock lock(here, folder.path());

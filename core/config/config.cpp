@@ -64,7 +64,7 @@ std::filesystem::path default_config() {
   std::error_code ignored;
   if (!std::filesystem::is_regular_file(file, ignored))
     throw ConfigError("the default config '" + file.string() +
-                      "' is not there; name another one, or repair the installation");
+                      "' does not exist; name another one, or reinstall Gestalt");
   return file;
 }
 

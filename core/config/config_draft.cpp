@@ -201,7 +201,7 @@ class Layer {
     if (!check_name(*name, item_path)) return;
     const std::string path = join(list_path, name->text);
     if (!seen.insert(name->text).second) {
-      problems_.add(item.place, path, "the list has this name twice; give one of the two another 'name:'");
+      problems_.add(item.place, path, "duplicate name in the list; give one of the two another 'name:'");
       return;
     }
     ComponentDraft& component = switch_on(list, *name);

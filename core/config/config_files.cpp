@@ -74,7 +74,7 @@ void check_characters(const std::string& text, const std::shared_ptr<const Sourc
   if (bad == text.end()) return;
   const auto line_start = std::find(std::make_reverse_iterator(bad), text.rend(), '\n').base();
   const Place place{source, 1 + int(std::count(text.begin(), bad, '\n')), 1 + int(bad - line_start)};
-  problems.add(place, "", "a control character stands here; a config is a text file in UTF-8");
+  problems.add(place, "", "control character; a config is a UTF-8 text file");
   problems.throw_if_any();
 }
 
@@ -125,12 +125,12 @@ class Chain {
       if (fs::weakly_canonical(other, ignored) == fs::weakly_canonical(file, ignored))
         throw ConfigError("the config extends itself: " + text(file));
     if (files_.size() == longest_chain)
-      throw ConfigError("more than " + std::to_string(longest_chain) + " files extend each other: " + text(file));
+      throw ConfigError("more than " + std::to_string(longest_chain) + " configs extend each other: " + text(file));
     return read_text(file);
   }
 
   void append(const fs::path& file, const std::string& content) {
-    // Two files of one name are told apart by their whole path.
+    // Two files of one name are distinguished by their whole path.
     const bool known_name = std::any_of(files_.begin(), files_.end(),
                                         [&](const fs::path& other) { return other.filename() == file.filename(); });
     const auto source =
@@ -175,7 +175,7 @@ Node read_root(const std::string& name, const std::string& text, Problems& probl
   Node root = parse_yaml(text, source, problems);
   check_root(root, problems);
   if (const Node* extends = root.find("extends"))
-    problems.add(extends->place, "extends", "only a file can extend another one");
+    problems.add(extends->place, "extends", "'extends' is allowed only in a file");
   return root;
 }
 

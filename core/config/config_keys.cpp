@@ -40,7 +40,7 @@ Parameter negatives_declaration() {
           1'000'000,
           {},
           "pairs",
-          "largest number of negative pairs that learning takes of one scene"};
+          "largest number of negative pairs of one scene that training uses"};
 }
 
 }  // namespace gestalt::config

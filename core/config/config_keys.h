@@ -53,7 +53,7 @@ auto config_keys(Make& make, Draft& draft) {
       level(Level::assembly, "Assembly level: pairs of patches that do not touch", draft.assembly),
       make.section("decision", "Global decision: the graph of probabilities to objects",
                    {make.component("solver", "solver", "Cuts the graph into objects", draft.solver),
-                    make.settings("figure_ground", "What tells objects and background apart",
+                    make.settings("figure_ground", "Separation of objects from background",
                                   FigureGroundParams::parameters().declarations(), draft.figure_ground)})};
 }
 

@@ -46,7 +46,7 @@ Node read_override(const std::string& text, Problems& problems) {
     return nothing;
   }
   if (keys[0] == "schema_version" || keys[0] == "extends") {
-    problems.add(place, keys[0], "stands in a file, not on the command line");
+    problems.add(place, keys[0], "can be set only in a file, not on the command line");
     return nothing;
   }
   Node node = read_value(text.substr(equals + 1), place, problems);

@@ -98,7 +98,7 @@ class Resolver {
       if (draft.values) component.values = relation_values(component, *draft.values, join(path, "values"));
       return component;
     } catch (const PluginError& error) {
-      // Where plugins were searched is the same for every missing one and is told once, at the end.
+      // Where plugins were searched is the same for every missing one and is reported once, at the end.
       const std::string words = error.what();
       problems_.add(plugin.place, path, words.substr(0, words.find('\n')) + known(kind));
       const std::size_t searched = words.find("\n  searched:");
@@ -121,7 +121,7 @@ class Resolver {
       const std::string& name = entry.value.text;
       if (std::find(names.begin(), names.end(), name) == names.end())
         problems_.add(entry.value.place, path,
-                      "'" + component.plugin + "' gives no value '" + name + "'" + did_you_mean(name, names));
+                      "'" + component.plugin + "' has no value '" + name + "'" + did_you_mean(name, names));
       wanted.insert(name);
     }
     std::vector<std::string> kept;

@@ -42,7 +42,7 @@ class Builder final : public YAML::EventHandler {
   }
 
   void OnDocumentStart(const YAML::Mark& mark) override {
-    if (document_seen_) fail(mark, "a second document begins here; a config file is one document");
+    if (document_seen_) fail(mark, "second YAML document; a config file holds one document");
     document_seen_ = true;
   }
   void OnDocumentEnd() override {}
@@ -58,7 +58,7 @@ class Builder final : public YAML::EventHandler {
 
   void OnAlias(const YAML::Mark& mark, YAML::anchor_t anchor) override {
     const auto found = complete_.find(anchor);
-    if (found == complete_.end()) fail(mark, "the alias stands within the value that it repeats");
+    if (found == complete_.end()) fail(mark, "the alias refers to a value that contains it");
     count(size(found->second), mark);
     add(found->second, YAML::NullAnchor);
   }
@@ -106,7 +106,7 @@ class Builder final : public YAML::EventHandler {
   }
 
   void refuse(const std::string& tag, const YAML::Mark& mark) {
-    if (!tag.empty() && tag != "?") problems_.add(place(mark), path(), "tags like '" + tag + "' have no meaning here");
+    if (!tag.empty() && tag != "?") problems_.add(place(mark), path(), "tags like '" + tag + "' are not supported");
   }
 
   void begin(Node::Kind kind, const YAML::Mark& mark, const std::string& tag, YAML::anchor_t anchor) {
@@ -128,7 +128,7 @@ class Builder final : public YAML::EventHandler {
   /// Aliases of aliases can stand for billions of values.
   void count(std::size_t values, const YAML::Mark& mark) {
     values_ += values;
-    if (values_ > most_values) fail(mark, "the text holds more than " + std::to_string(most_values) + " values");
+    if (values_ > most_values) fail(mark, "more than " + std::to_string(most_values) + " values");
   }
 
   /// Puts a complete node where it belongs.
@@ -147,7 +147,7 @@ class Builder final : public YAML::EventHandler {
 
   void add_key(Open& parent, Node key) {
     if (key.kind != Node::Kind::scalar)
-      problems_.add(key.place, path(), "a key has to be plain text, got " + key.description());
+      problems_.add(key.place, path(), "a key must be plain text, got " + key.description());
     parent.key = {std::move(key.text), key.place, {}};
   }
 
@@ -156,9 +156,9 @@ class Builder final : public YAML::EventHandler {
     std::vector<Entry>& entries = parent.node.entries;
     const auto first = std::find_if(entries.begin(), entries.end(), [&](const Entry& e) { return e.key == key.key; });
     if (key.key == "<<") {
-      problems_.add(key.place, path(), "YAML's merge keys are not read; take another file with 'extends:'");
+      problems_.add(key.place, path(), "YAML's merge keys are not supported; include another file with 'extends:'");
     } else if (first != entries.end()) {
-      problems_.add(key.place, path(), "the key stands twice, first at line " + std::to_string(first->place.line));
+      problems_.add(key.place, path(), "duplicate key, first at line " + std::to_string(first->place.line));
     } else {
       key.value = std::move(value);
       entries.push_back(std::move(key));
@@ -185,7 +185,7 @@ Node parse_yaml(const std::string& text, const std::shared_ptr<const Source>& so
     while (parser.HandleNextDocument(builder)) {
     }
   } catch (const YAML::Exception& error) {
-    builder.fail(error.mark, "this is not valid YAML: " + error.msg);
+    builder.fail(error.mark, "not valid YAML: " + error.msg);
   }
   Node root = builder.take();
   if (root.place.source == nullptr) root.place.source = source;

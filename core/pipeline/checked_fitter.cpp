@@ -14,8 +14,8 @@ namespace gestalt {
 namespace {
 
 [[noreturn]] void broken(ComponentName fitter, const std::string& what) {
-  throw PluginError(std::string(fitter) + " gave " + what +
-                    "; report this to its author, or leave it out of the config");
+  throw PluginError(std::string(fitter) + " returned " + what +
+                    "; report this to its author, or remove it from the config");
 }
 
 bool all_finite(const nlohmann::json& json) {  // NOLINT(misc-no-recursion): as deep as a fitter has made it

@@ -139,7 +139,7 @@ TEST(Contract, OfASolver) {
            [](std::size_t n) { return std::vector<int>(n, -1); },
            [](std::size_t n) { return std::vector<int>(n, int(n)); }}) {
     const std::string message = failure_of_solver(give);
-    EXPECT_NE(message.find("solver 'given' gave"), std::string::npos) << message;
+    EXPECT_NE(message.find("solver 'given' returned"), std::string::npos) << message;
   }
 }
 
@@ -147,14 +147,14 @@ TEST(Contract, OfAClassifier) {
   for (const double p : {-0.1, 1.1, std::numeric_limits<double>::quiet_NaN()}) {
     const std::string message =
         failure<Classifier>("structural.classifier=given", [p] { return std::make_unique<GivenProbability>(p); });
-    EXPECT_NE(message.find("classifier 'given' gave the probability"), std::string::npos) << message;
+    EXPECT_NE(message.find("classifier 'given' returned the probability"), std::string::npos) << message;
   }
 }
 
 TEST(Contract, OfARelation) {
   const std::string message =
       failure<Relation>("structural.relations.given=on", [] { return std::make_unique<NoMeasure>(); });
-  EXPECT_NE(message.find("relation 'given' gave no measure"), std::string::npos) << message;
+  EXPECT_NE(message.find("relation 'given' returned no measure"), std::string::npos) << message;
 }
 
 /// A fitter of planes whose answers are spoilt.
@@ -208,11 +208,11 @@ TEST(Contract, OfAFitter) {
   };
   EXPECT_EQ(spoilt({}), "");
   const std::vector<std::pair<std::string, SpoiltFitter::Spoil>> faults{
-      {"gave a surface whose closest point", {.point = nan}},
-      {"gave a surface whose closest point", {.normal = -std::numeric_limits<float>::infinity()}},
-      {"gave a surface whose distance", {.squared_distance = nan}},
-      {"gave a surface whose distance", {.squared_distance = -9}},
-      {"gave a number of parameters", {.count = double(nan)}},
+      {"returned a surface whose closest point", {.point = nan}},
+      {"returned a surface whose closest point", {.normal = -std::numeric_limits<float>::infinity()}},
+      {"returned a surface whose distance", {.squared_distance = nan}},
+      {"returned a surface whose distance", {.squared_distance = -9}},
+      {"returned a number of parameters", {.count = double(nan)}},
       {"failed: made to", {.throws = "fit"}},
       {"failed: made to", {.throws = "foot"}}};
   for (const auto& [words, spoil] : faults) {
@@ -237,11 +237,11 @@ TEST(Contract, OfASurfaceInAResult) {
   const auto json = [](const SurfaceModel& surface) { surface.to_json(); };
   EXPECT_EQ(message({}, parameters), "");
   EXPECT_EQ(message({}, json), "");
-  EXPECT_NE(message({.parameter = nan}, parameters).find("fitter 'given' gave parameters"), std::string::npos);
-  EXPECT_NE(message({.in_json = double(nan)}, json).find("fitter 'given' gave a surface"), std::string::npos);
+  EXPECT_NE(message({.parameter = nan}, parameters).find("fitter 'given' returned parameters"), std::string::npos);
+  EXPECT_NE(message({.in_json = double(nan)}, json).find("fitter 'given' returned a surface"), std::string::npos);
 }
 
-/// Notes the component that is at work when it is destroyed.
+/// Notes the component that is running when it is destroyed.
 struct Witness {
   std::vector<std::string>& seen;
   explicit Witness(std::vector<std::string>& names) : seen(names) {}

@@ -131,7 +131,8 @@ Model train_model(const Classifier& classifier, std::string classifier_name, std
   const ComponentName name = component_name("classifier", classifier_name);
   std::shared_ptr<const Predictor> predictor =
       call_component(name, [&] { return owned(name, classifier.train(scaled)); });
-  if (!predictor) throw PluginError(std::string(name) + " learned nothing; report this to its author");
+  if (!predictor)
+    throw PluginError(std::string(name) + " returned no predictor from training; report this to its author");
   return {std::move(names),    scaling, std::move(classifier_name), std::move(config_hash), std::move(training),
           std::move(predictor)};
 }

@@ -74,7 +74,7 @@ std::string text_field(const json& object, const std::string& key) {
 }
 
 std::vector<std::string> texts_field(const json& object, const std::string& key) {
-  const std::string expected = "a list of texts";
+  const std::string expected = "a list of strings";
   std::vector<std::string> texts;
   for (const json& value : list(object, key, expected)) {
     if (!value.is_string()) fail(key, expected);
@@ -85,7 +85,7 @@ std::vector<std::string> texts_field(const json& object, const std::string& key)
 
 std::size_t count_field(const json& object, const std::string& key) {
   const json& value = field(object, key);
-  if (!value.is_number_unsigned()) fail(key, "an integer that is not negative");
+  if (!value.is_number_unsigned()) fail(key, "a non-negative integer");
   return value.get<std::size_t>();
 }
 

@@ -105,7 +105,8 @@ Segmentation assemble(const Percept& percept, Graph graph, const std::vector<int
                    [](const Segment& x, const Segment& y) { return x.pixel_count > y.pixel_count; });
   if (segments.size() > std::numeric_limits<std::uint16_t>::max())
     throw Error("the frame falls into " + std::to_string(segments.size()) +
-                " segments, a 16-bit label image holds 65535; set the clusterer's parameters for larger patches");
+                " segments, but a 16-bit label image holds at most 65535; choose clusterer parameters that make larger "
+                "patches");
 
   Segmentation result{cv::Mat_<std::uint16_t>(surfaces.labels.size(), std::uint16_t{0}), std::move(segments),
                       std::move(graph)};
@@ -158,7 +159,7 @@ Pipeline::Grouping Pipeline::make_grouping(const LevelConfig& config, const Regi
 ExpectedModel Pipeline::expected_model(Level level) const {
   if (level == Level::structural)
     return {*structural_.classifier, config_.structural.classifier.plugin, structural_.value_names};
-  if (!assembly_) throw ConfigError("the config does without the assembly level; set levels to structural+assembly");
+  if (!assembly_) throw ConfigError("the config has no assembly level; set levels to structural+assembly");
   return {*assembly_->classifier, config_.assembly->classifier.plugin, assembly_->value_names};
 }
 
@@ -186,8 +187,8 @@ Percept Pipeline::perceive(const Frame& frame) const {
 Percept Pipeline::perceive_uncancelled(const Frame& given) const {
   if (given.depth.total() > most_pixels)
     throw InputError(given.name + ": has " + std::to_string(given.width()) + "x" + std::to_string(given.height()) +
-                     " pixels, for which memory and time do not suffice; crop or shrink its images to at most 2^24 " +
-                     "pixels, such as 4096x4096, and give the camera of those");
+                     " pixels, more than the limit of 2^24; crop or downscale its images, for example to 4096x4096 " +
+                     "pixels, and give the camera that matches them");
   if (!given.has_colour())
     for (const NamedRelation& named : relations_)
       if (named.relation->needs_colour())

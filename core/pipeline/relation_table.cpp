@@ -24,9 +24,9 @@ void check_values(const NamedRelation& named, std::span<const double> values) {
   const std::vector<RelationValue>& declared = named.relation->values();
   for (std::size_t i = 0; i < values.size(); ++i)
     if (!(values[i] >= declared[i].low && values[i] <= declared[i].high && std::isfinite(values[i])))
-      throw PluginError("relation '" + named.name + "' gave " + declared[i].name + " = " + std::to_string(values[i]) +
-                        ", outside its declared range [" + std::to_string(declared[i].low) + ", " +
-                        std::to_string(declared[i].high) + "]; report this to its author");
+      throw PluginError("relation '" + named.name + "' returned " + declared[i].name + " = " +
+                        std::to_string(values[i]) + ", outside its declared range [" + std::to_string(declared[i].low) +
+                        ", " + std::to_string(declared[i].high) + "]; report this to its author");
 }
 
 /// A measure whose destructor runs as its relation's.
@@ -67,8 +67,8 @@ std::vector<std::string> value_names(const std::vector<NamedRelation>& relations
     for (const std::size_t i : kept(named)) {
       const std::string name = value_name(named.relation->values()[i].name, named.name, named.plugin);
       if (std::find(names.begin(), names.end(), name) != names.end())
-        throw ConfigError("two relations of a level give the value " + name + ", the second is '" + named.name +
-                          "'; take one of them out");
+        throw ConfigError("two relations of a level compute the value " + name + ", the second is '" + named.name +
+                          "'; remove one of them");
       names.push_back(name);
     }
   return names;
@@ -185,7 +185,7 @@ Measures::Measures(const Scene& scene, const std::vector<NamedRelation>& relatio
   tbb::parallel_for_each(measures_, [&](auto& entry) {
     const ComponentName name = names.at(entry.first);
     std::unique_ptr<Measure> measure = call_component(name, [&] { return entry.first->bind(scene); });
-    if (!measure) throw PluginError(std::string(name) + " gave no measure; report this to its author");
+    if (!measure) throw PluginError(std::string(name) + " returned no measure; report this to its author");
     entry.second = std::make_unique<OwnedMeasure>(name, std::move(measure));
     deadline_.require(name);
   });

@@ -26,7 +26,7 @@ nlohmann::json Segmenter::config_json() const { return loaded_.tree.to_json(load
 std::string Segmenter::warning() const {
   if (!pipeline_.trained_otherwise(models_)) return "";
   return config().model.string() +
-         " was trained with other parameters of the levels below the classifier; retrain it for this config";
+         " was trained with different parameters of the levels below the classifier; retrain it with this config";
 }
 
 }  // namespace gestalt

@@ -17,7 +17,7 @@ constexpr std::size_t most_seeds = 64;  // of the largest area; bounds the work 
 constexpr double most = 0.8;            // of a surface's points: decides where it lies
 constexpr double main_parts = 0.9;      // of a sheet's pixels: the specks beside them that happen to lie in its plane
                                         // are not to widen its hull
-constexpr double flatness = 0.01;       // of a plane's extent; errors of depth that are no noise bend planes by less
+constexpr double flatness = 0.01;       // of a plane's extent; errors of depth other than noise bend planes by less
 
 void add(Moments& moments, const Cloud& cloud) {
   const double each = cloud.pixels / double(cloud.points.size());
@@ -206,7 +206,7 @@ class SheetSearch {
   }
 
   /// The surfaces in the plane of a seed, no farther from it than its size: what lies in a plane by chance, elsewhere
-  /// in the room, is no part of a table. The plane is fitted once more to all that are found.
+  /// in the room, is not part of a table. The plane is fitted once more to all that are found.
   Sheet grow(int seed) const {
     std::vector<int> members{seed};
     Sheet sheet;

@@ -78,7 +78,7 @@ class SurfaceModeller {
     }
     if (!patch.models[patch.fitter])
       throw PluginError("primitive level: no fitter could model a patch of " + std::to_string(patch.points.size()) +
-                        " points; put a fitter that takes any patch first in primitive.fitters");
+                        " points; list a fitter that accepts any patch first in primitive.fitters");
   }
 
   /// The best single surface for two patches, if it is a better description than the two (Eq. 8). Normalised by the

@@ -11,7 +11,7 @@ namespace gestalt {
 namespace {
 
 [[noreturn]] void broken(ComponentName component, const std::string& what) {
-  throw PluginError(std::string(component) + " gave " + what + "; report this to its author");
+  throw PluginError(std::string(component) + " returned " + what + "; report this to its author");
 }
 
 }  // namespace
@@ -30,7 +30,7 @@ void require_patches(ComponentName clusterer, const PatchMap& patches, const Fra
       if (label[u] < 0 || label[u] > patches.count)
         broken(clusterer,
                "the label " + std::to_string(label[u]) + ", of " + std::to_string(patches.count) + " patches");
-      if (label[u] > 0 && !(depth[u] > 0)) broken(clusterer, "a label to a pixel without depth");
+      if (label[u] > 0 && !(depth[u] > 0)) broken(clusterer, "a label for a pixel without depth");
       if (!std::isfinite(normal[u][0] + normal[u][1] + normal[u][2])) broken(clusterer, "a normal that is not finite");
     }
   }

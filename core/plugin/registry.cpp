@@ -32,7 +32,7 @@ std::string first_line(std::string text) { return text.substr(0, text.find('\n')
 
 /// Why a manifest cannot be taken, or "". Looks at nothing behind a field that does not match.
 std::string mismatch(const gestalt_manifest* manifest) {
-  if (manifest == nullptr || manifest->magic != GESTALT_MANIFEST_MAGIC) return "its manifest is not one of Gestalt's";
+  if (manifest == nullptr || manifest->magic != GESTALT_MANIFEST_MAGIC) return "its manifest is not a Gestalt manifest";
   if (manifest->interface_version != GESTALT_INTERFACE_VERSION)
     return "it was built for plugin interface " + std::to_string(manifest->interface_version) + ", this core has " +
            std::to_string(GESTALT_INTERFACE_VERSION) + "; rebuild it against this core";
@@ -43,7 +43,7 @@ std::string mismatch(const gestalt_manifest* manifest) {
     const gestalt_component& c = manifest->components[i];
     if (!c.kind || !c.name || !c.version || !c.description || !c.factory) return "its manifest is incomplete";
     if (std::find(kinds.begin(), kinds.end(), c.kind) == kinds.end())
-      return std::string("component '") + c.name + "' is of unknown kind '" + c.kind + "'" +
+      return std::string("component '") + c.name + "' has the unknown kind '" + c.kind + "'" +
              did_you_mean(c.kind, kinds);
   }
   return "";
@@ -102,7 +102,7 @@ void Registry::open(const fs::path& library) {
       continue;
     }
     if (factory == nullptr) {
-      rejected_.push_back({library, std::string("the factory of '") + c.name + "' gave nothing"});
+      rejected_.push_back({library, std::string("the factory of '") + c.name + "' returned nothing"});
       continue;
     }
     append({c.kind, c.name, c.version, c.description, library},
@@ -189,11 +189,11 @@ std::shared_ptr<const Kind> Registry::create(std::string_view name, const Parame
   } catch (const ConfigError& error) {
     throw ConfigError(who + ": " + error.what());
   } catch (const std::exception& error) {
-    throw PluginError(who + " could not be made: " + error.what());
+    throw PluginError(who + " could not be created: " + error.what());
   } catch (...) {
-    throw PluginError(who + " could not be made: its factory threw something other than an exception");
+    throw PluginError(who + " could not be created: its factory threw something other than an exception");
   }
-  if (!product) throw PluginError(who + " could not be made: its factory returned nothing");
+  if (!product) throw PluginError(who + " could not be created: its factory returned nothing");
   return product;
 }
 

@@ -29,7 +29,7 @@ void check_camera(const std::string& name, const Camera& c, cv::Size size) {
          " must be positive pixel numbers, from a thousandth to a million times the image's size; correct camera.yaml "
          "or give --camera");
   if (c.width != size.width || c.height != size.height)
-    fail("is made for " + std::to_string(c.width) + "x" + std::to_string(c.height) + " images, the depth image is " +
+    fail("is for " + std::to_string(c.width) + "x" + std::to_string(c.height) + " images, but the depth image is " +
          std::to_string(size.width) + "x" + std::to_string(size.height) + "; give the camera file of this sensor mode");
   if (!(c.cx >= 0 && c.cx <= size.width && c.cy >= 0 && c.cy <= size.height))
     fail("principal point cx = " + std::to_string(c.cx) + ", cy = " + std::to_string(c.cy) +
@@ -43,7 +43,7 @@ Frame make_frame(std::string name, cv::Mat colour, cv::Mat_<float> depth, const 
   if (!colour.empty() && colour.size() != depth.size())
     throw InputError(name + ": colour is " + std::to_string(colour.cols) + "x" + std::to_string(colour.rows) +
                      ", depth is " + std::to_string(depth.cols) + "x" + std::to_string(depth.rows) +
-                     "; register the two images to one size");
+                     "; register the two images to the same size");
   if (!colour.empty() && colour.type() != CV_8UC3) throw InputError(name + ": colour must have 3 channels of 8 bits");
   check_camera(name, camera, depth.size());
 

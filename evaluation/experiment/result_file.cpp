@@ -168,7 +168,7 @@ std::optional<ExperimentResult> ResultFile::read(const std::function<void(const 
     if (json.at("checksum") != digest(json.at("result").dump())) throw Error("its checksum is wrong");
     return result_of(json.at("result"));
   } catch (const std::exception& reason) {
-    if (warning) warning(file.string() + ": is damaged and is computed again: " + reason.what());
+    if (warning) warning(file.string() + ": is damaged and will be computed again: " + reason.what());
     return std::nullopt;
   }
 }

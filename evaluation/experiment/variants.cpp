@@ -28,14 +28,14 @@ class VariantsFile {
   std::vector<OverrideSet> read() const {
     const YAML::Node root = parse();
     if (!root.IsMap() || root.size() == 0)
-      fail({}, "holds no variants; write a line 'name: [path=value, ...]' for each");
+      fail({}, "contains no variants; write a line 'name: [path=value, ...]' for each");
     std::vector<OverrideSet> sets;
     for (const auto& entry : root) {
       const YAML::Mark mark = entry.first.Mark();
-      if (!entry.first.IsScalar()) fail(mark, "the name of a variant must be a word");
+      if (!entry.first.IsScalar()) fail(mark, "the name of a variant must be plain text");
       OverrideSet set{entry.first.Scalar(), {}};
       for (const OverrideSet& other : sets)
-        if (other.name == set.name) fail(mark, "'" + set.name + "' stands here a second time; keep one");
+        if (other.name == set.name) fail(mark, "'" + set.name + "' appears twice; keep one");
       if (entry.second.IsScalar()) {
         set.overrides.push_back(entry.second.Scalar());
       } else if (entry.second.IsSequence() && entry.second.size() > 0) {
@@ -88,8 +88,7 @@ std::vector<std::string> split(const std::string& text, char at) {
 LevelConfig& level_of(Config& config, Level level, const std::string& target) {
   if (level == Level::structural) return config.structural;
   if (!config.with_assembly)
-    throw ConfigError("--each " + target +
-                      ": the config does without the assembly level; give --set levels=structural+assembly");
+    throw ConfigError("--each " + target + ": the config has no assembly level; give --set levels=structural+assembly");
   return *config.assembly;
 }
 

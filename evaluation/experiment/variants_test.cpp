@@ -54,8 +54,8 @@ TEST(OverrideSets, NameThePlaceOfAnError) {
   refuse("# none\n", {"v.yaml:1:1", "no variants"});
   refuse("", {"v.yaml: is empty"});
   refuse("[a=b]\n", {"no variants"});
-  refuse("one: a=b\n---\ntwo: a=c\n", {"v.yaml:3:1", "a second document"});
-  refuse("a: b=c\na: b=d\n", {"v.yaml:2:1", "'a'", "second time"});
+  refuse("one: a=b\n---\ntwo: a=c\n", {"v.yaml:3:1", "second YAML document"});
+  refuse("a: b=c\na: b=d\n", {"v.yaml:2:1", "'a'", "appears twice"});
   refuse("a: b=c\nd: []\n", {"v.yaml:2:1", "'d'"});
   refuse("a:\n  - {b: c}\n", {"v.yaml:2:5", "path=value"});
   refuse("a: [b\n", {"v.yaml:2:1", "not valid YAML"});

@@ -235,7 +235,7 @@ void check_images(const Labels& ground_truth, const Labels& prediction) {
   };
   if (ground_truth.empty() || prediction.size() != ground_truth.size())
     throw InputError("the prediction has " + size(prediction) + ", the ground truth " + size(ground_truth) +
-                     "; both must be images of one size");
+                     "; both must have the same size");
 }
 
 }  // namespace

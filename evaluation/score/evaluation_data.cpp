@@ -102,8 +102,8 @@ cv::Mat_<std::uint16_t> scored_ground_truth(const Input& input) {
 void require_objects(std::int64_t objects) {
   if (objects == 0)
     throw InputError(
-        "the ground truth of no scene has an object, so that there is nothing to learn or to score; if the numbers of "
-        "its labels count objects, give --labels objects");
+        "no scene has an object in its ground truth, so there is nothing to train on or to score; if its label numbers "
+        "count objects, give --labels objects");
 }
 
 std::vector<int> deal_folds(const std::vector<std::string>& categories, int folds, std::uint64_t seed) {

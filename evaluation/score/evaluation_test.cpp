@@ -168,7 +168,7 @@ TEST(ScoreImage, DropsSegmentsOutsideTheGroundTruth) {
 }
 
 TEST(ScoreImage, IgnoredPixelsCountNeitherWay) {
-  // What a segment covers of pixels that nobody annotated, label 0, is no error; the rest of it is scored as it is.
+  // What a segment covers of pixels that nobody annotated, label 0, is not an error; the rest of it is scored as it is.
   Labels ground_truth = two_objects();
   ground_truth(cv::Rect(15, 0, 5, 20)).setTo(0);
   const ImageScore score = score_image(ground_truth, paint(1, {{{5, 5, 15, 10}, 2}, {second_object, 3}}));

@@ -98,11 +98,12 @@ LeaveOneOut leave_one_out(const std::vector<fs::path>& scenes, LeftOut what) {
   }
   if (folds.left_out.size() >= 2) return folds;
   const std::string only = folds.left_out.empty() ? "" : ", " + folds.left_out[0];
-  throw ConfigError(what == LeftOut::set
-                        ? "leave one set out: all scenes are of one set" + only + "; give two folders of scenes or more"
-                        : "leave one category out: all scenes are of one category" + only + "; name two or more in " +
-                              (scenes.empty() ? fs::path("FOLDER") : folder_of(scenes[0])).string() +
-                              ".csv (columns scene and category), or give several sets");
+  throw ConfigError(
+      what == LeftOut::set
+          ? "leave one set out: all scenes belong to one set" + only + "; give at least two folders of scenes"
+          : "leave one category out: all scenes belong to one category" + only + "; name two or more in " +
+                (scenes.empty() ? fs::path("FOLDER") : folder_of(scenes[0])).string() +
+                ".csv (columns scene and category), or give several sets");
 }
 
 std::vector<fs::path> find_additional_scenes(const std::vector<fs::path>& paths, const std::vector<fs::path>& tested) {
@@ -111,7 +112,8 @@ std::vector<fs::path> find_additional_scenes(const std::vector<fs::path>& paths,
   for (const fs::path& scene : tested) held_out.insert(fs::weakly_canonical(scene));
   for (const fs::path& scene : additional)
     if (held_out.contains(fs::weakly_canonical(scene)))
-      throw ConfigError(scene.string() + ": is a scene to test on and one to learn from in every fold; give it as one");
+      throw ConfigError(scene.string() +
+                        ": is both a test scene and a training scene in every fold; give it only once");
   return additional;
 }
 

@@ -53,7 +53,7 @@ const gestalt::Parameters<ColouredRegions::Params>& ColouredRegions::parameters(
           .real("angle", &Params::angle, 0.01, 3.2, "rad", "largest angle of a normal to its patch's mean")
           .real("jump", &Params::jump, 1e-4, 1, "", "a greater step of depth, as a share of it, separates patches")
           .real("colour", &Params::colour, 0, 1000, "", "largest difference of colour to its patch's mean, of 8 bits")
-          .integer("smallest", &Params::smallest, 1, 1000000, "pixels", "smaller regions are no patches");
+          .integer("smallest", &Params::smallest, 1, 1000000, "pixels", "smaller regions are not made patches");
   return parameters;
 }
 

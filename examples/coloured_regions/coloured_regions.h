@@ -14,7 +14,7 @@ class ColouredRegions final : public gestalt::Clusterer {
     double angle = 0.35;  ///< largest angle of a normal to the mean of its patch
     double jump = 0.01;   ///< neighbours whose depths differ by more than this share of their depth are not connected
     double colour = 40;   ///< largest difference of a pixel's colour, brightness aside, to the mean of its patch
-    int smallest = 20;    ///< smaller regions are no patches
+    int smallest = 20;    ///< smaller regions are not made patches
   };
   static const gestalt::Parameters<Params>& parameters();
 

@@ -74,7 +74,7 @@ std::unique_ptr<gestalt::Predictor> LogisticRegression::train(const gestalt::Sam
     hessian.diagonal() += penalty;
     Eigen::VectorXd change = hessian.ldlt().solve(gradient);
     const double length = change.norm();
-    if (length > 10) change *= 10 / length;  // far from the optimum the parabola is no guide
+    if (length > 10) change *= 10 / length;  // far from the optimum the parabola is not a guide
     weights -= change;
     if (length < 1e-9) break;
   }

@@ -36,7 +36,7 @@ struct PrincipalFrame {
 std::variant<PrincipalFrame, const char*> principal_frame(std::span<const WeightedPoint> points,
                                                           std::span<const WeightedPoint> bounds, double fewest);
 
-/// Whether the patch lies in two layers over its principal plane, or stands on it: then it is no function there.
+/// Whether the patch lies in two layers over its principal plane, or stands on it: then it is not a function there.
 bool is_folded(std::span<const WeightedPoint> points, const PrincipalFrame& frame);
 
 /// The means of the points in each cell of a grid of cells x cells over the frame, with the points' number as weight;

@@ -23,7 +23,7 @@ std::string text(cv::Size size) { return std::to_string(size.width) + "x" + std:
 void check_size(const fs::path& file, cv::Size size, cv::Size depth) {
   if (size != depth)
     throw InputError(file.string() + ": is " + text(size) + ", its depth image is " + text(depth) +
-                     "; register the images to one size");
+                     "; register the images to the same size");
 }
 
 }  // namespace
@@ -76,7 +76,7 @@ std::vector<fs::path> png_files(const fs::path& folder) {
   for (; !error && entry != fs::directory_iterator(); entry.increment(error))
     if (entry->path().extension() == ".png") files.push_back(entry->path());
   if (error) throw InputError(folder.string() + ": cannot be listed: " + error.message());
-  if (files.empty()) throw InputError(folder.string() + ": holds no PNG image");
+  if (files.empty()) throw InputError(folder.string() + ": contains no PNG image");
   std::sort(files.begin(), files.end(),
             [](const fs::path& a, const fs::path& b) { return natural_less(a.string(), b.string()); });
   return files;
@@ -92,7 +92,7 @@ cv::Mat_<std::uint16_t> labels_of_objects(const cv::Mat_<std::uint16_t>& objects
       const int object = objects(v, u);
       if (object > most)
         throw InputError("has object number " + std::to_string(object) + " at column " + std::to_string(u) + ", row " +
-                         std::to_string(v) + "; objects are counted from 1 to " + std::to_string(most));
+                         std::to_string(v) + "; objects are numbered from 1 to " + std::to_string(most));
       labels(v, u) = std::uint16_t(object == 0 ? 1 : 10 * (object + 1));
     }
   return labels;

@@ -14,14 +14,14 @@ ConvertedScene read_labelled_cloud(const fs::path& file, const ReadOptions& opti
   const Input input = read_scene(file, options);
   if (input.ground_truth.empty() && input.ground_truth_problem.empty()) {
     if (options.labels == LabelScheme::guess) return converted(input);
-    throw InputError(file.string() + ": has no field label, a label for each point; leave out --labels");
+    throw InputError(file.string() + ": has no field 'label'; omit --labels");
   }
   require_ground_truth(input);
   ConvertedScene scene = converted(input);
   if (scene.objects == 0)
     throw InputError(file.string() +
                      ": its labels name no object; 0 to 9 are background, objects are 20 to 29, 30 to 39 and so on. "
-                     "Where they are counted 1, 2, 3, ..., as in the clouds of OSD 0.2, give --labels objects");
+                     "Where they are numbered 1, 2, 3, ..., as in the clouds of OSD 0.2, give --labels objects");
   return scene;
 }
 

@@ -33,7 +33,8 @@ std::vector<fs::path> find_sequences(const fs::path& release) {
   }
   if (error) throw InputError(release.string() + ": cannot be listed: " + error.message());
   if (sequences.empty())
-    throw InputError(release.string() + ": holds no folder with depth, rgb and label; give OCID or a sequence of it");
+    throw InputError(release.string() +
+                     ": contains no folder with depth, rgb and label; give OCID or a sequence of it");
   std::sort(sequences.begin(), sequences.end(),
             [](const fs::path& a, const fs::path& b) { return natural_less(a.string(), b.string()); });
   return sequences;
@@ -71,7 +72,8 @@ ConvertedScene read_ocid_frame(const OcidFrame& frame, const ReadOptions& option
     const fs::path cloud = frame.sequence / "pcd" / (image.stem().string() + ".pcd");
     std::error_code error;
     if (!fs::exists(cloud, error))
-      throw InputError(cloud.string() + ": does not exist; its points tell the camera, else give --camera");
+      throw InputError(cloud.string() +
+                       ": does not exist; the camera is fitted to its points; without it give --camera");
     of_points = read_scene(cloud).frame.camera;
   }
   LayoutImages images = read_images(frame.depth, frame.sequence / "rgb" / image);

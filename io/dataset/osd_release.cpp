@@ -67,7 +67,7 @@ std::vector<std::string> find_osd_scenes(const fs::path& release) {
     if (error) throw InputError((release / folder).string() + ": cannot be listed: " + error.message());
   }
   if (names.empty())
-    throw InputError(release.string() + ": its disparity, image_color and annotation hold no PNG image");
+    throw InputError(release.string() + ": its disparity, image_color and annotation contain no PNG image");
   std::vector<std::string> sorted(names.begin(), names.end());
   std::sort(sorted.begin(), sorted.end(), natural_less);
   return sorted;

@@ -34,8 +34,8 @@ ConvertedScene read_tum_frame(const FrameFiles& frame, const ReadOptions& given)
   ConvertedScene scene = scene_of(images, camera, tum_depth_scale, frame.depth, options);
   if (scene.depth_scale == tum_depth_scale && !options.depth_scale && nearer_than_a_kinect_sees(scene.images.depth))
     scene.warnings.push_back(frame.depth.string() +
-                             ": half of its depth is nearer than 0.35 m when read with the 5000 units a metre of the "
-                             "benchmark, which its sensors do not measure; if it is in millimetres, give --unit mm");
+                             ": half of its depth is nearer than 0.35 m when read with the benchmark's 5000 units per "
+                             "metre, too near for its sensors; if it is in millimetres, give --unit mm");
   return scene;
 }
 

@@ -48,7 +48,8 @@ std::string warning_of_foreign_files(const fs::path& result, const json& content
   std::string names;
   for (const std::string& name : foreign_files(result, content)) names += (names.empty() ? "" : ", ") + name;
   if (names.empty()) return names;
-  return result.string() + ": does not belong to what lies beside it, of another run or changed since: " + names +
+  return result.string() +
+         ": does not match the files beside it, which come from another run or were changed since: " + names +
          "; segment the scene again";
 }
 
@@ -65,7 +66,7 @@ void require_of_its_result(const fs::path& file) {
   const std::string name = file.filename().string();
   if (digests.contains(name) && is_foreign(file.parent_path(), name, digests[name]))
     throw InputError(file.string() +
-                     ": does not belong to the result.json beside it, of another run or changed since; " +
+                     ": does not match the result.json beside it: it comes from another run or was changed since; " +
                      "segment the scene again, or remove that result.json if the image is right");
 }
 

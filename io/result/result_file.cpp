@@ -22,7 +22,7 @@ namespace {
 
 constexpr double largest_length = 1e4;        // m, of a coordinate
 constexpr std::size_t most_vertices = 20000;  // of the outlines of one patch
-constexpr const char* remedy = "; make it again with `gestalt segment`";
+constexpr const char* remedy = "; recreate it with `gestalt segment`";
 
 [[noreturn]] void fail(const std::string& what) { throw ModelError(what); }  // gets its place from within()
 
@@ -152,14 +152,14 @@ StoredResult::Segment read_segment(const json& object, std::size_t patches, std:
   }
   segment.patches = integers_field(object, "patches", 0, int(patches) - 1);
   for (const int patch : segment.patches)
-    if (!taken.insert(patch).second) fail("patch " + std::to_string(patch) + " is in a segment already");
+    if (!taken.insert(patch).second) fail("patch " + std::to_string(patch) + " is already in a segment");
   return segment;
 }
 
 void check_format(const json& content) {
   if (!content.is_object() || !content.contains("format") || content["format"] != "gestalt-result")
     fail("is not a result of `gestalt segment`: it has no \"format\": \"gestalt-result\"");
-  if (count_field(content, "version") != 2) fail("is of another version of gestalt; its 'version' must be 2");
+  if (count_field(content, "version") != 2) fail("was written by another version of gestalt; its 'version' must be 2");
 }
 
 StoredResult read(const json& content) {
@@ -170,7 +170,7 @@ StoredResult read(const json& content) {
   std::set<int> taken, labels;
   for_each(content, "segments", [&](const json& segment, std::size_t) {
     result.segments.push_back(read_segment(segment, result.patches.size(), taken));
-    if (!labels.insert(result.segments.back().label).second) fail("its label is that of another segment");
+    if (!labels.insert(result.segments.back().label).second) fail("its label is a duplicate of another segment's");
   });
   return result;
 }

@@ -26,7 +26,7 @@ namespace {
 
 constexpr std::uintmax_t largest_list = std::uintmax_t{1} << 28;  // bytes
 constexpr std::size_t most_images = 1'000'000;                    // nine hours at 30 a second
-constexpr const char* too_many = ": the list names more than 1000000 images; divide the recording";
+constexpr const char* too_many = ": the list names more than 1000000 images; split the recording";
 constexpr double longest_difference = 0.02;  // s, of the association of TUM's benchmark
 
 struct Stamped {
@@ -45,7 +45,7 @@ Stamped stamped(const std::vector<std::string_view>& words, std::size_t at, cons
   return {time, folder / words[at + 1]};
 }
 
-/// Calls line(words, place) for every line that is no comment (#).
+/// Calls line(words, place) for every line that is not a comment (#).
 template <class Line>
 void read_lines(const fs::path& list, const Line& line) {
   std::istringstream text(read_bytes(list, largest_list));
@@ -63,7 +63,7 @@ std::vector<Stamped> read_list(const fs::path& folder, const char* name) {
     if (images.size() == most_images) throw InputError(place + too_many);
     images.push_back(stamped(words, 0, folder, place, "timestamp filename"));
   });
-  if (images.empty()) throw InputError((folder / name).string() + ": names no image");
+  if (images.empty()) throw InputError((folder / name).string() + ": names no images");
   return images;
 }
 
@@ -150,12 +150,12 @@ std::vector<FrameFiles> listed_pairs(const fs::path& list, const fs::path& folde
     both[1] = stamped(words, 2, folder, place, expected);
     const auto is_depth = [](std::string_view word) { return word.find("depth") != word.npos; };
     if (is_depth(words[1]) == is_depth(words[3]))
-      throw InputError(place +
-                       ": which of the two is the depth image? Have 'depth' in its folder or name, and in no other");
+      throw InputError(
+          place + ": cannot tell which of the two is the depth image; put 'depth' in its folder or file name only");
     const std::size_t depth = is_depth(words[1]) ? 0 : 1;
     pairs.push_back({both[depth].time, {both[depth].file, both[1 - depth].file}});
   });
-  if (pairs.empty()) throw InputError(list.string() + ": names no image");
+  if (pairs.empty()) throw InputError(list.string() + ": names no images");
   return in_order_of_time(std::move(pairs));
 }
 

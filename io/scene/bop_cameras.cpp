@@ -24,8 +24,7 @@ json read_cameras(const fs::path& scene) {
   const fs::path file = scene / bop_cameras_file;
   json cameras = read_json(file, largest_cameras);
   if (!cameras.is_object() || cameras.empty())
-    throw InputError(file.string() +
-                     ": is not a map of image numbers to cameras, in JSON; take the file of the data set");
+    throw InputError(file.string() + ": is not a JSON map from image numbers to cameras; use the data set's own file");
   return cameras;
 }
 

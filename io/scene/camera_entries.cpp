@@ -72,9 +72,9 @@ CameraEntries::CameraEntries(std::filesystem::path file, const YAML::Node& root,
   for (const auto& entry : root) {
     const YAML::Mark mark = entry.first.Mark();
     if (!entry.first.IsScalar())
-      complain_at(mark, "a key must be a word");
+      complain_at(mark, "a key must be plain text");
     else if (!entries_.emplace(entry.first.Scalar(), Entry{entry.second, mark}).second)
-      complain_at(mark, shown(entry.first.Scalar()) + " stands here a second time; keep one");
+      complain_at(mark, shown(entry.first.Scalar()) + " appears twice; keep one");
   }
 }
 

@@ -58,8 +58,7 @@ YAML::Node yaml_of(const Tree& tree) {
 /// OpenCV's FileStorage as XML, as if it were YAML.
 YAML::Node parse_xml(const fs::path& file, const std::string& text) {
   constexpr std::ptrdiff_t most_tags = 2000;  // a camera has some twenty; nested ones take stack
-  if (std::count(text.begin(), text.end(), '<') > most_tags)
-    fail(file, {}, "is XML, but has too much of it for a camera");
+  if (std::count(text.begin(), text.end(), '<') > most_tags) fail(file, {}, "is too large an XML file for a camera");
   Tree tree;
   std::istringstream in(text);
   try {
@@ -103,7 +102,7 @@ std::optional<CameraFile> read_nested(const fs::path& file, const YAML::Node& ro
     if (result && !same(*result, found))
       fail(file, entry.first.Mark(),
            "holds several cameras ('" + name + "', '" + entry.first.Scalar() +
-               "', ...); write the one of the images into a file of its own");
+               "', ...); put the camera of these images in its own file");
     if (!result) name = entry.first.Scalar();
     result = std::move(found);
   }
@@ -152,8 +151,7 @@ CameraFile read_camera(const fs::path& file) {
   result.file = file;
   if (!result.lens.distorts()) result.lens = {};
   const Camera& c = result.camera;
-  if (std::int64_t{c.width} * c.height > most_pixels)
-    fail(file, {}, "width x height is more than 2^26 pixels; such images cannot be read");
+  if (std::int64_t{c.width} * c.height > most_pixels) fail(file, {}, "width x height exceeds the limit of 2^26 pixels");
   const auto inside = [](double centre, int size) { return centre >= 0 && (size == 0 || centre <= size); };
   if (!(c.fx >= 0.01 && c.fx <= 1e7 && c.fy >= 0.01 && c.fy <= 1e7) || !inside(c.cx, c.width) ||
       !inside(c.cy, c.height))

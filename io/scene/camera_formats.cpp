@@ -253,7 +253,7 @@ CameraFile read_realsense(CameraEntries& entries) {
 }
 
 CameraFile read_autolab(CameraEntries& entries) {
-  if (entries.has("_skew")) entries.number("_skew", -1e-3, 1e-3, "skew of the axes, of which our cameras have none");
+  if (entries.has("_skew")) entries.number("_skew", -1e-3, 1e-3, "skew of the axes, which is not supported");
   return read_named(entries, {"_width", "_height", "_fx", "_fy", "_cx", "_cy"});
 }
 

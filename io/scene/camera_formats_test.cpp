@@ -176,15 +176,15 @@ TEST_F(CameraFormats, WhatIsMissingIsNamedWithTheFormat) {
   expect("cam0: {camera_model: omni, intrinsics: [1, 2, 3, 4, 5]}\n", "is not a pinhole camera");
   expect("width: 6\nheight: 4\ndistortion_model: double_sphere\nD: [0.1]\nK: " + rows + "\n",
          "'double_sphere' cannot be read");
-  expect("width: 6\nheight: 4\nK: [1, 0.5, 3, 0, 1, 2, 0, 0, 1]\n", "has skew axes");
+  expect("width: 6\nheight: 4\nK: [1, 0.5, 3, 0, 1, 2, 0, 0, 1]\n", "has skewed axes");
   for (const std::string key : {"K: ", "camera_matrix: ", "mtx: ", "intrinsic_matrix: ", "cam_K: ", "intrinsics: "}) {
-    expect(key + "[9, 5, 3, 0, 9, 2, 0, 0, 1]\n", "has skew axes");
+    expect(key + "[9, 5, 3, 0, 9, 2, 0, 0, 1]\n", "has skewed axes");
     expect(key + "[9, 0, 3, 0, 9, 2, 0, 0, 2]\n", "must have the row 0 0 1");
-    expect(key + "[[9, 0, 3], [1, 9, 2], [0, 0, 1]]\n", "has skew axes");
+    expect(key + "[[9, 0, 3], [1, 9, 2], [0, 0, 1]]\n", "has skewed axes");
   }
-  expect("9 5 3\n0 9 2\n0 0 1\n", "has skew axes");
-  expect("K: " + rows + "\n---\nK: " + rows + "\n", ":3:1: is not valid YAML: a second document begins here");
-  expect("width: 6\nheight: 4\nfx: 1\nfy: 1\ncx: 1\ncy: 1\n---\nfx: 2\n", "a second document");
+  expect("9 5 3\n0 9 2\n0 0 1\n", "has skewed axes");
+  expect("K: " + rows + "\n---\nK: " + rows + "\n", ":3:1: is not valid YAML: second YAML document");
+  expect("width: 6\nheight: 4\nfx: 1\nfy: 1\ncx: 1\ncy: 1\n---\nfx: 2\n", "second YAML document");
   expect("9 0 3\n0 9 2\n0 0 0.5\n", "must have the row 0 0 1");
 }
 
@@ -264,7 +264,7 @@ TEST_F(CameraFormats, OfAnotherResolutionAreScaled) {
   EXPECT_DOUBLE_EQ(input.frame.camera.cx, 19.5);
   EXPECT_DOUBLE_EQ(input.frame.camera.cy, 14.75);
   ASSERT_EQ(input.notes.size(), 1U);
-  EXPECT_NE(input.notes[0].find("is made for 80x60 images; it is scaled to 40x30"), std::string::npos);
+  EXPECT_NE(input.notes[0].find("is for 80x60 images; it is scaled to 40x30"), std::string::npos);
   folder_.write("scene/camera.yaml", "width: 80\nheight: 45\nfx: 90\nfy: 92\ncx: 39.5\ncy: 20\n");
   EXPECT_THROW(read_scene(scene), InputError);
   folder_.write("scene/camera.yaml", "fx: 45\nfy: 45\ncx: 39.5\ncy: 29.5\n");

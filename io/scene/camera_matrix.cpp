@@ -17,7 +17,7 @@ std::string take_matrix(std::span<const double> numbers, CameraFile& result) {
     return by_columns ? written(column, row) : written(row, column);
   };
   if (at(2, 0) != 0 || at(2, 1) != 0 || at(2, 2) != 1) return "must have the row 0 0 1: fx 0 cx, 0 fy cy, 0 0 1";
-  if (at(1, 0) != 0 || std::abs(at(0, 1)) > 1e-3 * std::abs(at(0, 0))) return "has skew axes; our cameras have none";
+  if (at(1, 0) != 0 || std::abs(at(0, 1)) > 1e-3 * std::abs(at(0, 0))) return "has skewed axes, which is not supported";
   Camera& camera = result.camera;
   camera.fx = at(0, 0), camera.fy = at(1, 1), camera.cx = at(0, 2), camera.cy = at(1, 2);
   if (camera.fx > 0 && camera.fy < 0) {

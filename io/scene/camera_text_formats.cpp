@@ -130,7 +130,7 @@ CameraFile read_colmap(const fs::path& file, std::string_view text) {
   const std::vector<Line> lines = lines_of(text, 2);
   const Line& line = lines[0];
   if (lines.size() > 1)
-    fail_at(file, lines[1].number, "a second camera; write the one of the images into a file of its own");
+    fail_at(file, lines[1].number, "a second camera; put the camera of these images in its own file");
   const ColmapModel& model = *colmap_model(line);
   std::vector<double> numbers;
   for (std::size_t i = 2; i < line.words.size(); ++i) {

@@ -87,7 +87,7 @@ std::vector<FrameChange> permutations() {
   return all;
 }
 
-/// From the world to the sensor, as VIEWPOINT tells its pose; nothing for the identity, or what is no rotation.
+/// From the world to the sensor, as VIEWPOINT tells its pose; nothing for the identity, or what is not a rotation.
 std::optional<FrameChange> of_viewpoint(const PointCloud& cloud) {
   const auto& v = cloud.viewpoint;
   const double norm = std::sqrt(v[3] * v[3] + v[4] * v[4] + v[5] * v[5] + v[6] * v[6]);

@@ -54,7 +54,7 @@ class CloudFrame : public testing::Test {
     return folder_.write("c.pcd", text);
   }
 
-  /// The images are those of the sensor, and the change is told by this.
+  /// The images are those of the sensor, and this describes the change.
   void expect_turned(const Input& input, const std::string& told) const {
     const std::vector<cv::Vec3f> points = seen_points();
     ASSERT_EQ(input.frame.width(), sensor.width);
@@ -120,8 +120,8 @@ TEST_F(CloudFrame, AGivenCameraMustFitThePoints) {
   Camera other = sensor;
   other.fx = other.fy = 120;
   const std::string message = refusal(write(same), other);
-  EXPECT_NE(message.find("the given camera: does not describe"), message.npos) << message;
-  EXPECT_NE(message.find("the points tell focal lengths of 70 and 70 px"), message.npos) << message;
+  EXPECT_NE(message.find("the given camera: does not match"), message.npos) << message;
+  EXPECT_NE(message.find("the points imply focal lengths of 70 and 70 px"), message.npos) << message;
 }
 
 TEST_F(CloudFrame, OfAPlaneIsToldByTheViewpoint) {

@@ -70,12 +70,12 @@ std::string turned(const FrameChange& frame) {
                                 const Camera& camera) {
   const auto own = own_camera(cloud);
   const std::string seen = std::to_string(std::lround(median_reprojection_error(cloud, camera)));
-  throw InputError(camera_name(told) + ": does not describe " + file.string() + ", whose points it sees " + seen +
-                   " px (median) from where they are stored; " +
-                   (own ? "the points tell focal lengths of " + focal_lengths(*own) + ": " : std::string()) +
+  throw InputError(camera_name(told) + ": does not match " + file.string() + ": it projects the points " + seen +
+                   " px (median) away from their places in the grid; " +
+                   (own ? "the points imply focal lengths of " + focal_lengths(*own) + ": " : std::string()) +
                    (told.file.filename() == "camera.yaml"
                         ? "put the right camera.yaml beside the cloud or give --camera"
-                        : "leave out the camera, or give that which took the cloud"));
+                        : "omit the camera, or give the one that recorded the cloud"));
 }
 
 [[noreturn]] void refuse_points(const fs::path& file, const PointCloud& cloud) {
@@ -88,15 +88,14 @@ std::string turned(const FrameChange& frame) {
                      ": no point of the cloud has finite coordinates and lies before the camera (z > 0)");
   if (!fitted_camera(cloud))
     throw InputError(file.string() +
-                     ": the points are too few or too alike to tell the camera's intrinsics; give "
+                     ": the points are too few or too similar to estimate the camera's intrinsics; give "
                      "--camera, or camera.yaml beside the cloud or in a parent folder");
-  throw InputError(file.string() +
-                   ": no pinhole camera describes where the points lie in the grid, in their own frame or "
-                   "any other" +
-                   remedy);
+  throw InputError(
+      file.string() +
+      ": no pinhole camera projects the points to their places in the grid, in their own frame or any other" + remedy);
 }
 
-/// The grid is the image. A camera that is told, or lies in a parent folder, may be another sensor's: the points tell.
+/// The grid is the image. A given camera, or one in a parent folder, may be another sensor's: the points show it.
 SeenCloud see_organized(const fs::path& file, PointCloud cloud, const std::optional<CameraFile>& told) {
   SeenCloud seen;
   std::optional<Camera> camera;
@@ -140,7 +139,7 @@ SeenCloud see_unorganized(const fs::path& file, PointCloud cloud, const CameraFi
     throw InputError(
         file.string() + ": " + (share == 0 ? "no point lies" : "only " + percent(share) + " of the points lie") +
         " in the image of " + name +
-        "; give the camera that took the cloud, and write the points in its frame: x right, y down, z forward");
+        "; give the camera that recorded the cloud, and write the points in its frame: x right, y down, z forward");
   if (share < doubtful)
     seen.input.warnings.push_back(file.string() + ": " + percent(1 - share) +
                                   " of its points lie outside of the image of " + name);

@@ -26,7 +26,7 @@ using Mask = cv::Mat_<std::uint8_t>;
 [[noreturn]] void fail(const std::string& what) { throw InputError(what); }
 
 double number(const json& value) {
-  if (!value.is_number()) fail("has something other than a number where one must be");
+  if (!value.is_number()) fail("expected a number");
   return value.get<double>();
 }
 
@@ -38,7 +38,7 @@ struct Budget {
   void spend(std::int64_t count) {
     steps -= count;
     if (steps < 0)
-      fail("has objects of so many corners and pixels that drawing them would not end; keep those of this image, and " +
+      fail("has too many polygon corners and pixels to draw; keep the objects of this image only, and " +
            std::string("smaller ones"));
   }
 };
@@ -85,7 +85,7 @@ std::vector<std::int64_t> unpack(const std::string& text) {
 /// The pixels whose centres lie in the polygon; coordinates count from a pixel's corner.
 void fill_polygon(Mask& mask, const json& polygon, Budget& budget) {
   if (polygon.size() < 6 || polygon.size() % 2)
-    fail("a polygon must have three corners or more, as x1, y1, x2, y2, ...");
+    fail("a polygon must have at least three corners, as x1, y1, x2, y2, ...");
   std::vector<cv::Point2d> corners;
   for (std::size_t i = 0; i < polygon.size(); i += 2) corners.emplace_back(number(polygon[i]), number(polygon[i + 1]));
   std::vector<double> crossings;
@@ -122,7 +122,7 @@ Mask mask_of(const json& segmentation, cv::Size size, Budget& budget) {
   if (!segmentation.is_object() || !segmentation.contains("counts"))
     fail("has no segmentation, neither polygons nor counts");
   const json extent = segmentation.value("size", json());
-  if (extent != json({size.height, size.width})) fail("its segmentation is of another size than the image");
+  if (extent != json({size.height, size.width})) fail("its segmentation differs in size from the image");
   const json& counts = segmentation.at("counts");
   std::vector<std::int64_t> runs;
   if (counts.is_string()) {
@@ -133,7 +133,7 @@ Mask mask_of(const json& segmentation, cv::Size size, Budget& budget) {
       runs.push_back(count.get<std::int64_t>());
     }
   } else {
-    fail("its counts are neither a list nor a text");
+    fail("its counts are neither a list nor a string");
   }
   fill_runs(mask, runs, budget);
   return mask;

@@ -37,10 +37,11 @@ void add_colour_beside(const fs::path& scene, Input& input) {
     if (!fs::is_regular_file(file, ignored) || is_depth_image(file)) continue;
     const cv::Mat colour = read_colour_image(file, input.notes);
     if (take_colour(file, colour, input))
-      input.notes.push_back("has no colour; the image of the same name beside it is taken for that of its view");
+      input.notes.push_back(
+          "has no colour; the image of the same name beside it is used as the colour of the same view");
     else
       input.warnings.push_back(sizes(file, colour, scene, input) +
-                               "; not taken for its colour, register the two for that");
+                               "; not used as its colour; register the two to use it");
     return;
   }
 }
@@ -48,7 +49,7 @@ void add_colour_beside(const fs::path& scene, Input& input) {
 void set_colour(const fs::path& image, const fs::path& scene, Input& input) {
   const cv::Mat colour = read_colour_image(image, input.notes);
   if (!take_colour(image, colour, input))
-    throw InputError(sizes(image, colour, scene, input) + "; register the two, or leave colour away");
+    throw InputError(sizes(image, colour, scene, input) + "; register the two, or remove the colour image");
 }
 
 }  // namespace gestalt

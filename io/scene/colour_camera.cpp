@@ -44,8 +44,8 @@ std::optional<ColourCamera> find_colour_camera(const fs::path& folder, cv::Size 
     const CameraFile read = read_camera(file);
     if (read.lens.distorts())
       throw InputError(file.string() +
-                       ": its lens distorts, but colour that is registered must be rectified; rectify it, and "
-                       "give the camera without distortion");
+                       ": its lens distorts, but only rectified colour can be registered; rectify the images, and give "
+                       "a camera without distortion");
     Input told;
     ColourCamera camera{camera_for(read, size, "the colour image", told), file, {}, {}};
     camera.extrinsics = folder / extrinsics_name;

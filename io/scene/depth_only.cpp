@@ -29,7 +29,7 @@ bool none_has_colour(const std::vector<fs::path>& scenes, const ReadOptions& opt
       if (read_scene(scene, options).frame.has_colour()) return false;
       any_read = true;
     } catch (const Error&) {
-      // Whoever uses the scene reports it.
+      // The user of the scene reports it.
     }
   return any_read;
 }

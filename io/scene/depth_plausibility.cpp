@@ -186,17 +186,18 @@ void question_numbers(const std::string& name, const DepthSamples& samples, cons
   const bool millimetres = std::abs(unit.metres - 0.001) < 1e-5;
   if ((samples.whole() || samples.distinct() > 1) && samples.distinct() <= 40 && samples.largest_unit() <= 50 &&
       (!samples.whole() || samples.largest_unit() * unit.metres < 0.1) && samples.multiples_of(1) == 1)
-    refuse(
-        "its depth is whole, and up to " + number(samples.largest_unit()) +
-        " only: whole metres. Write depth before it is rounded, as floats in metres or as numpy.uint16(1000 * depth)");
+    refuse("its depth has only whole numbers up to " + number(samples.largest_unit()) +
+           ", so it is probably rounded to metres. Save it unrounded, as floats in metres or as numpy.uint16(1000 * "
+           "depth)");
   if (samples.whole() && samples.largest_unit() > 257 &&
       std::max(samples.multiples_of(256), samples.multiples_of(257)) == 1)
     refuse("its depth has the " + std::to_string(samples.distinct()) +
-           " values of an 8-bit picture, stretched to 16 bits; save the sensor's depth, not a picture of it");
+           " values of an 8-bit picture stretched to 16 bits; save the sensor's depth, not a picture of it");
   if (samples.whole() && millimetres && samples.distinct() >= 50 && samples.multiples_of(8) > 0.9)
     refuse(
-        "nearly all of its depth are multiples of 8, as in SUN RGB-D, where the 16 bits are rotated by three; give "
-        "--depth-kind rotated, or --unit mm if it is in millimetres all the same");
+        "nearly all of its depth values are multiples of 8, as in SUN RGB-D, where the 16 bits are rotated by three; "
+        "give "
+        "--depth-kind rotated, or --unit mm if it really is in millimetres");
 }
 
 void question_range(const std::string& name, const DepthReading& depth, const DepthSamples& samples,
@@ -206,9 +207,10 @@ void question_range(const std::string& name, const DepthReading& depth, const De
       "its depth is " + samples.range(unit.metres) + " when read in " + unit_name(unit.metres) + " (" + unit.from + ")";
   const bool impossible = samples.nearest() > too_far || samples.median() < too_near;
   if (impossible && !unit.told)
-    throw InputError(name + ": " + read + ", which no such sensor measures; give " + likely_units(samples, unit));
+    throw InputError(name + ": " + read + ", which is outside the range of depth sensors; give " +
+                     likely_units(samples, unit));
   if (impossible) {
-    warnings.push_back(name + ": " + read + ", which no such sensor measures");
+    warnings.push_back(name + ": " + read + ", which is outside the range of depth sensors");
     return;
   }
   if (unit.told || samples.count() < few) return;
@@ -219,7 +221,7 @@ void question_range(const std::string& name, const DepthReading& depth, const De
   if (millimetres && samples.largest_unit() >= 64000 && samples.farthest() > 40) {
     warnings.push_back(
         doubt + ", up to " + number(samples.largest_unit()) +
-        " of 65535: it seems to be scaled to 16 bits, and has no unit any more. Save the sensor's depth, or "
+        " of 65535: it seems to be scaled to the 16-bit range, so its unit is lost. Save the sensor's depth, or "
         "give --depth-scale with the metres of a unit, the farthest depth / 65535");
   } else if (millimetres && samples.too_fine()) {
     warnings.push_back(doubt + ", but finer than sensors are there" + remedy);

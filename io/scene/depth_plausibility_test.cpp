@@ -73,7 +73,8 @@ TEST(DepthPlausibility, MillimetresAreNoMetres) {
   expect_told(verdict(reading(table(1000), 1, false)), "refused: x: ", "give --unit mm (0.5");
   expect_told(verdict(reading(table(100), 1, false)), "refused: x: ", "give --unit cm (0.5");
   EXPECT_EQ(verdict(reading(table(1000), 0.001, false, true)), "ok");
-  expect_told(verdict(reading(table(1000), 1, false, true)), "x: ", "no such sensor measures");  // told: not refused
+  expect_told(verdict(reading(table(1000), 1, false, true)),
+              "x: ", "outside the range of depth sensors");  // told: not refused
   expect_told(verdict(reading(table(0.001), 1, false)), "refused: x: ", "--unit km");
 }
 
@@ -90,10 +91,10 @@ TEST(DepthPlausibility, FinerUnitsAreDoubted) {
 }
 
 TEST(DepthPlausibility, WholeMetresHaveNoDepth) {
-  expect_told(verdict(reading(table(2), 0.001, true)), "refused: x: ", "whole metres");
+  expect_told(verdict(reading(table(2), 0.001, true)), "refused: x: ", "rounded to metres");
   cv::Mat_<double> rounded = table(2);
   for (double& depth : rounded) depth = std::round(depth);
-  expect_told(verdict(reading(rounded, 1, false)), "refused: x: ", "whole metres");
+  expect_told(verdict(reading(rounded, 1, false)), "refused: x: ", "rounded to metres");
 }
 
 TEST(DepthPlausibility, NumbersOfOtherMeaningAreNamed) {
@@ -107,7 +108,7 @@ TEST(DepthPlausibility, NumbersOfOtherMeaningAreNamed) {
   numbers = table();
   cv::minMaxLoc(numbers, nullptr, &largest);
   for (double& depth : numbers) depth *= 65535 / largest;
-  expect_told(verdict(reading(numbers, 0.001, true)), "x: ", "scaled to 16 bits");
+  expect_told(verdict(reading(numbers, 0.001, true)), "x: ", "scaled to the 16-bit range");
   for (double& depth : numbers) depth /= 65535;
   expect_told(verdict(reading(numbers, 1, false)), "x: ", "scaled to 0..1");
 }

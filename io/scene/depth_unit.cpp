@@ -51,14 +51,14 @@ std::string unit_name(double metres) {
 std::string text(const DepthUnit& unit) { return plain(unit.metres) + " m, " + unit.from; }
 
 DepthUnit unit_of_whole_numbers(const ReadOptions& options, const std::optional<CameraFile>& camera) {
-  if (options.depth_scale) return {*options.depth_scale, "as told", true};
+  if (options.depth_scale) return {*options.depth_scale, "as given", true};
   if (camera && camera->depth_scale) return {*camera->depth_scale, camera_name(*camera), false};
-  return {0.001, "the default of whole numbers", false};
+  return {0.001, "the default for whole numbers", false};
 }
 
 DepthUnit unit_of_floats(const ReadOptions& options) {
-  if (options.depth_scale) return {*options.depth_scale, "as told", true};
-  return {1, "the default of floats and clouds", false};
+  if (options.depth_scale) return {*options.depth_scale, "as given", true};
+  return {1, "the default for floats and clouds", false};
 }
 
 }  // namespace gestalt

@@ -44,7 +44,7 @@ std::vector<fs::path> scenes_in(const fs::path& folder) {
       scenes.insert(scenes.end(), frames.begin(), frames.end());
     }
   if (scenes.empty())
-    throw InputError(folder.string() + ": holds no scene (" + seen_in(folder) +
+    throw InputError(folder.string() + ": contains no scene (" + seen_in(folder) +
                      " there); give a folder with depth.png (and rgb.png), one with the folders depth/ and rgb/, a " +
                      scene_extensions(" or ") + " file, a folder of those, or --depth and --rgb");
   std::sort(scenes.begin(), scenes.end(), scene_less);
@@ -77,7 +77,8 @@ std::string scene_name(const fs::path& scene) {
   const std::string name = (fs::is_directory(path, error) ? path.filename() : path.stem()).string();
   // That of a file '...pcd' would put results beside the output folder.
   if (name == "." || name == "..")
-    throw InputError(scene.string() + ": has the name '" + name + "', which no folder of results can have; rename it");
+    throw InputError(scene.string() + ": has the name '" + name +
+                     "', which cannot be used for a folder of results; rename it");
   return name;
 }
 

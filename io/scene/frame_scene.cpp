@@ -38,25 +38,25 @@ cv::Mat read_colour(const FrameFiles& files, const fs::path& folder, const Depth
                             files.depth.filename().string() + " is " + text(size);
   if (const auto second = find_colour_camera(folder, colour.size())) {
     input.warnings.push_back(sizes + "; registered by " + second->file.string() +
-                             (second->extrinsics.empty() ? ", both cameras taken to be in one place"
+                             (second->extrinsics.empty() ? ", assuming that both cameras are in the same place"
                                                          : " and " + second->extrinsics.string()));
     Input told;  // by set_frame_of_images()
     return registered_colour(colour, second->intrinsics, second->from_depth, depth.metres,
                              camera_for(camera, size, files.depth, told));
   }
   if (same_aspect(colour.size(), size)) {
-    input.warnings.push_back(sizes +
-                             "; taken for the same view and resampled. Of two cameras that are not registered, write " +
-                             "the intrinsics of colour's as " + (folder / colour_camera_name).string());
+    input.warnings.push_back(
+        sizes + "; assumed to show the same view and resampled. If the cameras are not registered, write " +
+        "the colour camera's intrinsics as " + (folder / colour_camera_name).string());
     return resized(colour, size);
   }
   throw InputError(sizes +
-                   ", so they are of two cameras that do not show the same view; register one to the other with the "
+                   ", so the two cameras do not show the same view; register one to the other with the "
                    "sensor's software, or write the colour camera's intrinsics as " +
                    (folder / colour_camera_name).string() +
                    " (and the 4x4 matrix from depth's frame "
                    "to colour's, in metres, as " +
-                   extrinsics_name + "), or take the colour image away to segment depth alone");
+                   extrinsics_name + "), or remove the colour image to segment by depth alone");
 }
 
 }  // namespace

@@ -51,17 +51,19 @@ bool has_colours(const cv::Mat& image) {
                                               [](const cv::Vec3b& c) { return c[0] != c[1] || c[1] != c[2]; });
 }
 
-/// Colours as numbers of objects: 0 for black or, where that is told, for the commonest, which is where the table is.
+/// Colours as numbers of objects: 0 for black or, where that is requested, for the commonest, which is where the table
+/// is.
 cv::Mat_<int> objects_of_colours(cv::Mat_<int> colours, const cv::Mat& measured, LabelScheme scheme) {
   std::map<int, int> pixels;
   for (int v = 0; v < colours.rows; ++v)
     for (int u = 0; u < colours.cols; ++u)
       if (measured.at<std::uint8_t>(v, u)) ++pixels[colours(v, u)];
   if (pixels.size() > most_colours)
-    throw InputError("has " + std::to_string(pixels.size()) +
-                     " colours, as a photograph; save the numbers of the objects, or a colour for each, without loss");
+    throw InputError(
+        "has " + std::to_string(pixels.size()) +
+        " colours, like a photograph; save the objects' numbers, or one colour for each object, in a lossless format");
   if (scheme == LabelScheme::osd)
-    throw InputError("has colours, not the numbers of --labels osd; leave that out, or give --labels colours");
+    throw InputError("has colours, not the numbers of --labels osd; omit that option, or give --labels colours");
   int background = 0;
   if (scheme == LabelScheme::colours) {
     const auto commonest = std::max_element(pixels.begin(), pixels.end(),
@@ -80,7 +82,7 @@ cv::Mat_<int> objects_of_colours(cv::Mat_<int> colours, const cv::Mat& measured,
 void check_size(cv::Size size, const cv::Mat& measured) {
   if (size != measured.size())
     throw InputError("is " + text(size) + ", depth is " + text(measured.size()) +
-                     "; the labels must be of the same image");
+                     "; the labels must have the same size");
 }
 
 /// Each file is the mask of an object, not 0 inside.
@@ -88,7 +90,7 @@ cv::Mat_<int> read_masks(const fs::path& folder, const cv::Mat& measured) {
   std::vector<fs::path> files;
   for (const fs::directory_entry& entry : fs::directory_iterator(folder))
     if (entry.path().extension() == ".png") files.push_back(entry.path());
-  if (files.empty()) throw InputError("holds no PNG image");
+  if (files.empty()) throw InputError("contains no PNG image");
   std::sort(files.begin(), files.end(),
             [](const fs::path& a, const fs::path& b) { return natural_less(a.string(), b.string()); });
   cv::Mat_<int> objects(measured.size(), 0);
@@ -108,7 +110,7 @@ void read_label_image(Input& input, const fs::path& file, const cv::Mat& measure
     set_ground_truth(input, objects_of_colours(numbers_of(image), measured, scheme), measured, LabelScheme::objects,
                      file.string());
     if (scheme == LabelScheme::guess)
-      input.notes.emplace_back("each colour of label.png is taken for an object, black for the background");
+      input.notes.emplace_back("each colour of label.png is taken as an object, black as background");
     return;
   }
   cv::Mat numbers = image;
@@ -135,7 +137,7 @@ void set_ground_truth(Input& input, const cv::Mat_<int>& labels, const cv::Mat& 
     const auto found = guess_scheme(labels, measured);
     if (!found)
       throw InputError(
-          "its numbers may be objects counted from 1, or the scheme of the OSD (1 to 9 background, 20 to 29 the first "
+          "its numbers may be objects numbered from 1, or the scheme of the OSD (1 to 9 background, 20 to 29 the first "
           "object, ...); give --labels objects or --labels osd");
     scheme = *found;
   }
@@ -145,7 +147,7 @@ void set_ground_truth(Input& input, const cv::Mat_<int>& labels, const cv::Mat& 
   }
   input.ground_truth = labels_of_numbers(labels, measured);
   if (guessed && count_objects(input.ground_truth) > 0)
-    input.notes.emplace_back("labels are taken for objects counted from 1, 0 for the background (--labels objects)");
+    input.notes.emplace_back("labels are taken as objects numbered from 1, 0 as background (--labels objects)");
 } catch (const InputError& error) {
   input.ground_truth.release();
   input.ground_truth_problem = source + ": " + error.what();
@@ -169,7 +171,7 @@ void read_ground_truth_beside(Input& input, const fs::path& folder, const cv::Ma
     input.ground_truth_problem = what.starts_with(source.string()) ? what : source.string() + ": " + what;
   }
   if (!input.ground_truth_problem.empty() && input.ground_truth_problem.find("--labels") == std::string::npos)
-    input.warnings.push_back(input.ground_truth_problem + ". It counts as without ground truth");
+    input.warnings.push_back(input.ground_truth_problem + ". The scene is treated as having no ground truth");
 }
 
 const cv::Mat_<std::uint16_t>& require_ground_truth(const Input& input) {

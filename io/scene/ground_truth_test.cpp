@@ -150,7 +150,7 @@ TEST_F(GroundTruthFolder, InstancesOfCocoAreObjects) {
   EXPECT_EQ(coco("[[1, 0, 3, 0, 3, 1, 1, 1]]"), "1 20 20 1 1 1 1 1");
   expect_problem(coco(R"({"size": [2, 4], "counts": [3, 9]})"), "annotation 1: its counts are more");
   expect_problem(coco(R"({"size": [2, 4], "counts": [3, 2]})"), "annotation 1: its counts are fewer");
-  expect_problem(coco(R"({"size": [4, 2], "counts": [8]})"), "another size");
+  expect_problem(coco(R"({"size": [4, 2], "counts": [8]})"), "differs in size");
   expect_problem(coco(R"({"size": [2, 4], "counts": "~~"})"), "damaged");
   expect_problem(coco("[[1, 0, 3]]"), "three corners");
   expect_problem(coco("7"), "no segmentation");

@@ -16,7 +16,7 @@ void HeaderLine::next() {
     const std::size_t end = bytes_.find('\n', end_);
     // A line of a header is short: a long one is binary data or another kind of file.
     if (end == bytes_.npos || end - end_ > longest)
-      fail("the " + format_ + " header breaks off here; the file is truncated or no point cloud, write it again");
+      fail("the " + format_ + " header ends here; the file is truncated or not a point cloud, write it again");
     words_ = words_of(bytes_.substr(end_, end - end_));
     end_ = end + 1;
     ++number_;

@@ -44,7 +44,7 @@ cv::Mat depth_of(const fs::path& file, const NpyArray& array) {
     whole = whole && value >= 0 && value <= 65535;
     depth.ptr<float>()[i] = float(value);
   }
-  if (array.kind != 'f' && !whole) fail(file, "has a depth outside of 0 to 65535; whole numbers must be of 16 bits");
+  if (array.kind != 'f' && !whole) fail(file, "has a depth outside 0 to 65535; whole numbers must fit in 16 bits");
   cv::Mat_<std::uint16_t> units;
   if (!whole) return depth;
   depth.convertTo(units, CV_16U);  // exact: floats have 24 bits
@@ -70,12 +70,12 @@ cv::Mat decode_other(const fs::path& file, std::string_view bytes, ImageKind kin
     if (const std::size_t channels = exr_channels(bytes);
         channels > most_channels || channels * std::size_t(size->width) > widest)
       fail(file, "has " + std::to_string(channels) + " channels of " + std::to_string(size->width) +
-                     " columns; write those of depth, or of colour, into a file of their own");
+                     " columns; write those of depth, or of colour, to a separate file");
   cv::Mat image;
   std::string problem;
   if (kind == ImageKind::exr && what == Content::depth) problem = decode_exr_depth(bytes, image);
   if (problem.empty() && image.empty()) problem = decode_with_opencv(bytes, image);
-  if (!problem.empty()) fail(file, "cannot be decoded (" + problem + "); write it again, as PNG if this stays");
+  if (!problem.empty()) fail(file, "cannot be decoded (" + problem + "); write it again, as PNG if the error persists");
   return image;
 }
 
@@ -107,10 +107,10 @@ cv::Mat read_colour_image(const fs::path& file, std::vector<std::string>& notes)
   const std::string bytes = read_bytes(file, largest_image);
   const ImageKind kind = image_kind(bytes);
   if (const int orientation = stored_orientation(bytes); orientation != 1)
-    notes.push_back(file.string() + ": says that it is to be shown turned or mirrored (EXIF orientation " +
+    notes.push_back(file.string() + ": is to be displayed rotated or mirrored (EXIF orientation " +
                     std::to_string(orientation) +
-                    "); its pixels are taken as they are stored, as those of depth are. If the depth image is stored "
-                    "turned, turn this one, too: mogrify -auto-orient");
+                    "); its pixels are used as stored, like those of depth. If the depth image is stored rotated, "
+                    "rotate this one too: mogrify -auto-orient");
   if (kind == ImageKind::png) return read_colour_png(file);
   cv::Mat image;
   if (kind == ImageKind::jpeg) {
@@ -119,7 +119,7 @@ cv::Mat read_colour_image(const fs::path& file, std::vector<std::string>& notes)
     return image;
   }
   if (kind == ImageKind::npy)
-    fail(file, "is an array of numpy; colour comes in an image file, or with depth and K in a .npz file");
+    fail(file, "is a numpy array; give colour as an image file, or with depth and K in an .npz file");
   std::string problem;
   cv::Mat colour = as_colour(decode_other(file, bytes, kind, Content::colour), problem);
   if (!problem.empty()) fail(file, problem);
@@ -132,7 +132,7 @@ cv::Mat read_depth_image(const fs::path& file) {
   if (kind == ImageKind::png) return read_depth_png(file);
   if (kind == ImageKind::npy) return depth_of(file, read_npy(file));
   if (kind == ImageKind::jpeg)
-    fail(file, "is a JPEG image, which changes numbers; save the sensor's depth as 16-bit PNG or TIFF");
+    fail(file, "is a JPEG image, whose compression alters depth values; save the sensor's depth as 16-bit PNG or TIFF");
   cv::Mat image = decode_other(file, bytes, kind, Content::depth);
   // Renderers that have no channel of depth write it into all of them, or into red.
   if (kind == ImageKind::exr && image.channels() > 1) cv::extractChannel(image, image, 2);

@@ -27,17 +27,16 @@ void set_frame_of_images(Input& input, const std::string& name, const cv::Mat& c
   if (shift == 0) return set_frame(input, name, colour, std::move(depth), camera);
   if (shift < harmless * radius) {
     input.warnings.push_back(camera_name(file) + ": its lens moves pixels by up to " + pixels(shift) +
-                             ", which is left as it is; rectify the images, if that is too much");
+                             ", which is ignored; rectify the images if that is too much");
     return set_frame(input, name, colour, std::move(depth), camera);
   }
   const Rectification rectified(file.lens, camera);
   depth.metres = rectified(depth.metres);
   if (!input.ground_truth.empty()) input.ground_truth = rectified(input.ground_truth);
-  input.notes.push_back(
-      camera_name(file) + ": its lens moves pixels by " +
-      (std::isfinite(shift) ? "up to " + pixels(shift) : std::string("more than it tells")) +
-      "; the images are rectified, and results are of the rectified images. Images that are rectified "
-      "already need a camera without distortion");
+  input.notes.push_back(camera_name(file) + ": its lens moves pixels by " +
+                        (std::isfinite(shift) ? "up to " + pixels(shift) : std::string("more than it can tell")) +
+                        "; the images are rectified, and results refer to the rectified images. If the images are "
+                        "already rectified, give a camera without distortion");
   set_frame(input, name, rectified(colour), std::move(depth), camera);
 }
 

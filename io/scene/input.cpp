@@ -22,7 +22,7 @@ cv::Mat_<float> depth_in_metres(const cv::Mat_<std::uint16_t>& raw, double scale
 
 Input read_scene(const fs::path& path, const ReadOptions& options) {
   const SceneFormat* format = scene_format_of(path);
-  // What is no scene by its names is read as the commonest of its sort, whose reader says what is missing.
+  // What is not a scene by its names is read as the commonest of its sort, whose reader says what is missing.
   std::error_code ignored;
   if (!format) format = find_scene_format(fs::is_directory(path, ignored) ? "scene" : "pcd");
   Input input = format->read(path, options);

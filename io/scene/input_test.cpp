@@ -221,13 +221,13 @@ TEST_F(SceneFolder, IsReadWhateverItsLabelsAre) {
 }
 
 TEST_F(SceneFolder, TakesTheUnitThatIsTold) {
-  EXPECT_EQ(read_scene(scene()).depth_unit, "0.001 m, the default of whole numbers");
+  EXPECT_EQ(read_scene(scene()).depth_unit, "0.001 m, the default for whole numbers");
   folder_.write("s/camera.yaml", camera_4x3 + "depth_scale: 0.0002\n");
   EXPECT_FLOAT_EQ(read_scene(scene()).frame.depth(0, 1), 0.2F);
   ReadOptions options;
   options.depth_scale = 0.0001;
   EXPECT_FLOAT_EQ(read_scene(scene(), options).frame.depth(0, 1), 0.1F);
-  EXPECT_EQ(read_scene(scene(), options).depth_unit, "0.0001 m, as told");
+  EXPECT_EQ(read_scene(scene(), options).depth_unit, "0.0001 m, as given");
 }
 
 TEST_F(SceneFolder, TakesTheLargestNumberForNoMeasurement) {
@@ -251,8 +251,8 @@ TEST_F(SceneFolder, IsRefusedWhenSizesDiffer) {
   expect_refusal({"rgb.png: is 3x4, depth.png is 4x3", "register"});
   fs::remove(scene() / "rgb.png");
   folder_.write("s/camera.yaml", "width: 640\nheight: 480\nfx: 525\nfy: 525\ncx: 319.5\ncy: 239.5\n");
-  expect_refusal({"camera.yaml: is made for 640x480 images", "depth.png is 4x3", "give the camera file"});
-  expect_parts(error_of([&] { read_scene(scene(), Camera{1, 1, 1, 1, 0, 0}); }), {"the given camera: is made for 1x1"});
+  expect_refusal({"camera.yaml: is for 640x480 images", "depth.png is 4x3", "give the camera file"});
+  expect_parts(error_of([&] { read_scene(scene(), Camera{1, 1, 1, 1, 0, 0}); }), {"the given camera: is for 1x1"});
 }
 
 TEST_F(SceneFolder, IsRefusedWhenNoPixelHasDepth) {
@@ -275,7 +275,7 @@ TEST_F(SceneFolder, IsRefusedBeforeDecodingWhenItDeclaresTooManyPixels) {
   bomb.replace(16, 8, std::string("\0\0\x20\0\0\0\x20\0", 8));  // 8192 x 8192
   bomb.replace(29, 4, std::string("\x07\x51\x49\xc6", 4));
   folder_.write("s/depth.png", bomb);
-  expect_refusal({"depth.png: declares 8192x8192 pixels", "more than its", "bytes can be"});
+  expect_refusal({"depth.png: declares 8192x8192 pixels", "more than its", "bytes can hold"});
 }
 
 class CameraYaml : public testing::Test {
@@ -321,7 +321,7 @@ TEST_F(CameraYaml, IsRefusedForMissingKeys) {
 TEST_F(CameraYaml, IsRefusedForUnknownAndRepeatedKeys) {
   EXPECT_EQ(refusal(camera_4x3 + "depht_scale: 0.001\n"),
             "F:7:1: unknown key 'depht_scale'; did you mean 'depth_scale'?");
-  EXPECT_EQ(refusal(camera_4x3 + "fx: 3\n"), "F:7:1: 'fx' stands here a second time; keep one");
+  EXPECT_EQ(refusal(camera_4x3 + "fx: 3\n"), "F:7:1: 'fx' appears twice; keep one");
 }
 
 TEST_F(CameraYaml, IsRefusedForIntrinsicsThatAreNoPositiveNumbers) {
@@ -394,7 +394,7 @@ TEST_F(FindScenes, KeepsTheOrderOfThePaths) {
 
 TEST_F(FindScenes, RefusesWhatHoldsNoScene) {
   const auto message = [&](const fs::path& path) { return error_of([&] { find_scenes({path}); }); };
-  expect_parts(message(folder_.path()), {folder_.path().string() + ": holds no scene", "depth.png", ".pcd"});
+  expect_parts(message(folder_.path()), {folder_.path().string() + ": contains no scene", "depth.png", ".pcd"});
   expect_parts(message(folder_.path() / "none"), {"none: does not exist"});
   expect_parts(message(folder_.write("cloud.obj", "x")), {"cloud.obj: is not a scene", ".pcd"});
 }

@@ -33,7 +33,7 @@ void tell(j_common_ptr jpeg, int level) {
   if (level < 0) fail(jpeg);
 }
 
-/// Stops before the pixels, whose image is made by the caller. False: the problem is told.
+/// Stops before the pixels, whose image is made by the caller. False: the problem is set.
 bool begin(jpeg_decompress_struct& jpeg, JpegJob& job, std::string_view bytes) {
   if (setjmp(job.leave) != 0) return false;
   jpeg_create_decompress(&jpeg);

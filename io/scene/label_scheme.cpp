@@ -62,7 +62,8 @@ cv::Mat_<std::uint16_t> labels_of_numbers(const cv::Mat_<int>& objects, const cv
     if (object > 0) order.emplace(object, 0);
   }
   if (order.size() > std::size_t(most))
-    throw InputError("has " + std::to_string(order.size()) + " objects; there may be " + std::to_string(most));
+    throw InputError("has " + std::to_string(order.size()) + " objects; at most " + std::to_string(most) +
+                     " are supported");
   int next = 0;
   for (auto& [object, number] : order) number = largest > most ? ++next : object;
   cv::Mat_<std::uint16_t> labels(objects.size(), std::uint16_t{0});

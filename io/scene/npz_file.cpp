@@ -167,10 +167,10 @@ NpyArray parse(const std::string& place, std::string bytes) {
   const auto byte = [&](std::size_t i) { return std::size_t(std::uint8_t(bytes[i])); };
   if (bytes.size() < 10 || bytes.compare(0, 6, magic) != 0) fail("is not a numpy array; write it with numpy.savez");
   const std::size_t wide = byte(6) >= 2 ? 4 : 2, begin = 8 + wide;
-  if (bytes.size() < begin) fail("breaks off in its header; write it again");
+  if (bytes.size() < begin) fail("ends within its header; write it again");
   std::size_t length = 0;
   for (std::size_t i = 0; i < wide; ++i) length |= byte(8 + i) << (8 * i);
-  if (length > most_header || begin + length > bytes.size()) fail("breaks off in its header; write it again");
+  if (length > most_header || begin + length > bytes.size()) fail("ends within its header; write it again");
   NpyArray array;
   const NpyHeader header(place, std::string_view(bytes).substr(begin, length));
   const bool reversed = header.read_type(array), columns = header.is_fortran();
@@ -203,11 +203,11 @@ std::size_t claimed_size(const std::string& place, zip_t* archive, zip_uint64_t 
   if (zip_stat_index(archive, index, 0, &stat) != 0 || (stat.valid & needed) != needed)
     throw InputError(place + ": has no size in the file's directory; write the file again");
   if (stat.comp_method != ZIP_CM_STORE && stat.comp_method != ZIP_CM_DEFLATE)
-    throw InputError(place + ": is packed as numpy does not; write it with numpy.savez_compressed");
+    throw InputError(place + ": is compressed in a way that numpy does not use; write it with numpy.savez_compressed");
   if (stat.size > left)
-    throw InputError(place + ": claims, with the arrays before it, more than 2^30 bytes; divide the file");
+    throw InputError(place + ": claims, with the arrays before it, more than 2^30 bytes; split the file");
   if (stat.size / most_inflated > std::min<std::uint64_t>(stat.comp_size, file_size))
-    throw InputError(place + ": claims more bytes than its packed ones can be; write the file again");
+    throw InputError(place + ": claims more bytes than its compressed data can hold; write the file again");
   return stat.size;
 }
 

@@ -69,7 +69,7 @@ class NpzScene {
 
   DepthReading depth(const ReadOptions& options, const std::optional<CameraFile>& camera) const {
     const NpyArray& array = arrays_.at("depth");
-    if (array.kind == 'b') fail("depth", "is of booleans; it must be of integers or floats");
+    if (array.kind == 'b') fail("depth", "is boolean; it must have integers or floats");
     const bool whole = array.kind != 'f';
     DepthReading depth{cv::Mat_<float>(size_), whole ? whole_unit(options, camera) : unit_of_floats(options), whole,
                        options.depth_kind};
@@ -87,7 +87,7 @@ class NpzScene {
     if (colour_.empty() || colour_.size() == size_) return colour_;
     if (!same_aspect(colour_.size(), size_))
       fail(colour_name_, "is of " + text(colour_.size()) + " pixels, depth of " + text(size_) +
-                             "; register one to the other and write arrays of one size");
+                             "; register one to the other and write arrays of the same size");
     notes_.push_back(file_.string() + ": array '" + colour_name_ + "' is of " + text(colour_.size()) +
                      " pixels, depth of " + text(size_) + ": taken for the same view and resampled");
     return resized(colour_, size_);
@@ -102,7 +102,7 @@ class NpzScene {
     cv::Mat_<int> label(size_);
     for (std::size_t i = 0; i < label.total(); ++i) {
       const double value = array->at(i);
-      if (value < 0 || value > 65535) fail("label", "has a label outside of 0 to 65535");
+      if (value < 0 || value > 65535) fail("label", "has a label outside 0 to 65535");
       label.ptr<int>()[i] = int(value);
     }
     return label;
@@ -145,8 +145,7 @@ class NpzScene {
   }
 
   double rotated_right(double value) const {
-    if (!(value >= 0 && value <= 65535))
-      fail("depth", "has numbers outside of 0 to 65535, whose bits cannot be rotated");
+    if (!(value >= 0 && value <= 65535)) fail("depth", "has numbers outside 0 to 65535, whose bits cannot be rotated");
     const auto bits = std::uint16_t(value);
     return std::uint16_t(bits >> 3 | bits << 13);
   }
@@ -259,7 +258,7 @@ class NpzScene {
     std::ostringstream factor;
     factor.imbue(std::locale::classic());
     factor << std::setprecision(3) << (centre[0] + centre[1]) / 2;
-    fail(name, "has its principal point outside of the depth image of " + text(size_) + ", as of an image with about " +
+    fail(name, "has its principal point outside the depth image of " + text(size_) + ", as of an image with about " +
                    factor.str() + " times its columns; write K / [[" + factor.str() + "], [" + factor.str() +
                    "], [1]] with the exact ratio of the two, if both show the same view");
   }
@@ -293,7 +292,7 @@ Input read_npz_scene(const fs::path& file, const ReadOptions& options) {
     set_ground_truth(input, scene.label(), depth.metres > 0, options.labels, file.string() + ": array 'label'");
   } catch (const InputError& error) {
     input.ground_truth_problem = error.what();
-    input.warnings.push_back(input.ground_truth_problem + ". It counts as without ground truth");
+    input.warnings.push_back(input.ground_truth_problem + ". The scene is treated as having no ground truth");
   }
   set_frame_of_images(input, file.string(), colour, std::move(depth), camera, file);
   return input;

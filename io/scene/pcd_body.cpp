@@ -32,7 +32,7 @@ std::string read_ascii(const fs::path& file, const PcdHeader& header, std::strin
   std::size_t at = 0;
   for (std::size_t point = 0; point < header.points();) {
     if (at >= body.size())
-      reject_body(file, "has " + std::to_string(point) + " rows of points, the header promises " +
+      reject_body(file, "has " + std::to_string(point) + " rows of points, the header declares " +
                             std::to_string(header.points()) + "; the file is truncated, write it again");
     const std::size_t end = std::min(body.find('\n', at), body.size());
     const std::string_view line = body.substr(at, end - at);
@@ -65,7 +65,7 @@ std::string read_ascii(const fs::path& file, const PcdHeader& header, std::strin
 std::string read_binary(const fs::path& file, const PcdHeader& header, std::string_view bytes) {
   const std::size_t have = bytes.size() - header.body, need = header.points() * header.point_bytes();
   if (have < need)
-    reject_body(file, "has " + std::to_string(have) + " bytes of points, the header promises " + std::to_string(need) +
+    reject_body(file, "has " + std::to_string(have) + " bytes of points, the header declares " + std::to_string(need) +
                           "; the file is truncated, write it again");
   return std::string(bytes.substr(header.body, need));
 }
@@ -82,14 +82,14 @@ std::string read_compressed(const fs::path& file, const PcdHeader& header, std::
   if (have >= sizeof sizes) std::memcpy(sizes, bytes.data() + header.body, sizeof sizes);
   if (have < sizeof sizes || have - sizeof sizes < sizes[0])
     reject_body(file, "has " + std::to_string(have) +
-                          " bytes of compressed points, fewer than it promises; the file is "
+                          " bytes of compressed points, fewer than it declares; the file is "
                           "truncated, write it again");
   if (sizes[1] != need)
-    reject_body(file, "promises " + std::to_string(sizes[1]) + " uncompressed bytes, its header " +
-                          std::to_string(need) + "; header and data do not belong together, write it again");
+    reject_body(file, "declares " + std::to_string(sizes[1]) + " uncompressed bytes, its header " +
+                          std::to_string(need) + "; header and data do not match, write it again");
   if (need / most_expanded > sizes[0])
-    reject_body(file, "promises " + std::to_string(need) + " bytes of points, more than its " +
-                          std::to_string(sizes[0]) + " compressed ones can be; write it again");
+    reject_body(file, "declares " + std::to_string(need) + " bytes of points, more than its " +
+                          std::to_string(sizes[0]) + " compressed bytes can hold; write it again");
   std::string fields(need, '\0');
   if (lzf_decompress(bytes.data() + header.body + sizeof sizes, sizes[0], fields.data(), unsigned(need)) != need)
     reject_body(file, "has damaged compressed data; copy or write it again");

@@ -79,7 +79,7 @@ class PcdHeaderReader {
     std::set<std::string_view> seen;
     for (std::size_t i = 1; i < line_.size(); ++i) {
       if (line_[i] != "_" && !seen.insert(line_[i]).second)
-        line_.fail("field " + shown(line_[i]) + " is there twice; correct the header");
+        line_.fail("field " + shown(line_[i]) + " appears twice; correct the header");
       header_.fields.push_back({std::string(line_[i]), 'F', 4, 1, 0});
     }
     if (header_.fields.empty()) line_.fail("FIELDS names no field; correct the header");

@@ -64,7 +64,7 @@ std::string read_ascii_vertices(const fs::path& file, const PlyHeader& header, s
             wrong(word, "length of a list");
         }
         while (more-- > 0 && !word.empty()) word = words.next();
-        if (word.empty()) reject_truncated(file, "what stands before the vertices");
+        if (word.empty()) reject_truncated(file, "the elements before the vertices");
       }
   std::string points;
   for (std::size_t i = 0; i < header.vertices.points(); ++i)
@@ -89,7 +89,7 @@ std::uint64_t whole_number(std::string_view bytes, bool big_endian) {
 std::size_t bytes_before(const fs::path& file, const PlyHeader& header, std::string_view body) {
   std::size_t at = 0;
   const auto skip = [&](std::size_t count, int size) {
-    if (count > (body.size() - at) / std::size_t(size)) reject_truncated(file, "what stands before the vertices");
+    if (count > (body.size() - at) / std::size_t(size)) reject_truncated(file, "the elements before the vertices");
     at += count * std::size_t(size);
   };
   for (const PlyHeader::Element& element : header.before)

@@ -43,7 +43,7 @@ class PlyHeaderReader {
     if (vertices_.fields.empty())
       line_.fail("the header has no element 'vertex' with properties; a cloud needs x, y and z");
     if (vertices_.points() * vertices_.point_bytes() > most_cloud_bytes)
-      line_.fail("the cloud has more than 2^31 bytes; divide it");
+      line_.fail("the cloud has more than 2^31 bytes; split it");
     vertices_.body = line_.end();
     vertices_.lines = line_.number();
     return std::move(header_);
@@ -73,12 +73,12 @@ class PlyHeaderReader {
     if (!in_vertex_ && vertices_.width > 0) return;
     if (!count || *count > std::size_t{most_pixels} || (in_vertex_ && *count == 0))
       line_.fail(in_vertex_ ? "the number of vertices must be from 1 to 2^26"
-                            : "the number of an element that stands before the vertices must be from 0 to 2^26");
+                            : "the number of an element before the vertices must be from 0 to 2^26");
     if (!in_vertex_) {
       header_.before.push_back({*count, {}});
       return;
     }
-    if (vertices_.width) line_.fail("'vertex' stands here a second time");
+    if (vertices_.width) line_.fail("duplicate element 'vertex'");
     vertices_.width = int(*count);
     vertices_.height = 1;
   }
@@ -86,12 +86,12 @@ class PlyHeaderReader {
   void take_property() {
     if (in_vertex_) return take_vertex_property();
     if (vertices_.width > 0) return;  // of what follows the vertices
-    if (header_.before.empty()) line_.fail("a property stands before the first element; write the cloud again");
+    if (header_.before.empty()) line_.fail("there is a property before the first element; write the cloud again");
     const bool list = line_.size() == 5 && line_[1] == "list";
     const auto scalar = scalars.find(list ? line_[3] : line_.size() == 3 ? line_[1] : "");
     const auto length = list ? scalars.find(line_[2]) : scalar;
     if (scalar == scalars.end() || length == scalars.end() || (list && length->second.type == 'F'))
-      line_.fail("expected 'property TYPE NAME' or 'property list TYPE TYPE NAME' with types as float or uchar");
+      line_.fail("expected 'property TYPE NAME' or 'property list TYPE TYPE NAME' with types such as float or uchar");
     PlyHeader::Property property{scalar->second.size};
     if (list) property.length_size = length->second.size, property.length_type = length->second.type;
     header_.before.back().properties.push_back(property);
@@ -101,9 +101,10 @@ class PlyHeaderReader {
     const auto scalar = line_.size() == 3 ? scalars.find(line_[1]) : scalars.end();
     if (scalar == scalars.end())
       line_.fail(
-          "a property of a vertex must be 'property TYPE NAME' with a type as float or uchar; write vertices without "
+          "a property of a vertex must be 'property TYPE NAME' with a type such as float or uchar; write vertices "
+          "without "
           "lists");
-    if (!names_.emplace(line_[2]).second) line_.fail("property " + shown(line_[2]) + " stands here a second time");
+    if (!names_.emplace(line_[2]).second) line_.fail("property " + shown(line_[2]) + " appears twice");
     const std::size_t offset = vertices_.fields.empty() ? 0 : vertices_.point_bytes();
     vertices_.fields.push_back({std::string(line_[2]), scalar->second.type, scalar->second.size, 1, offset});
   }

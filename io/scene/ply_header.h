@@ -25,7 +25,7 @@ struct PlyHeader {
 
   PcdHeader vertices;           ///< as the header of a PCD file would declare them: an unorganized cloud
   bool big_endian = false;      ///< the numbers of a binary file
-  std::vector<Element> before;  ///< what stands before the vertices in the file
+  std::vector<Element> before;  ///< the elements before the vertices in the file
 };
 
 /// Elements after the vertices are left out. Throws InputError with the line.

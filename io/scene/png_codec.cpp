@@ -71,7 +71,7 @@ void decode(png_structp png, png_infop info, Job& job, bool colour, std::size_t 
   png_set_interlace_handling(png);
   png_read_update_info(png, info);
   if (png_get_rowbytes(png, info) != row_bytes || png_get_image_height(png, info) != job.rows.size())
-    png_error(png, "the image is of another size or kind than declared");
+    png_error(png, "the image differs in size or type from its header");
   png_read_image(png, job.rows.data());
   png_read_end(png, nullptr);
 }
@@ -96,7 +96,7 @@ std::string decode_png(std::string_view bytes, cv::Mat& image) {
   Job job(image);
   job.unread = bytes;
   png_structp png = png_create_read_struct(PNG_LIBPNG_VER_STRING, &job, fail, ignore_warning);
-  if (!png) return "there is no memory for the decoder";
+  if (!png) return "out of memory in the decoder";
   const Closing closing{png, png_create_info_struct(png), destroy_read};
   decode(png, closing.info, job, image.channels() == 3, image.cols * image.elemSize());
   return job.problem;
@@ -105,12 +105,10 @@ std::string decode_png(std::string_view bytes, cv::Mat& image) {
 std::string encode_png(const cv::Mat& image) {
   const bool colour = image.type() == CV_8UC3;
   if (image.empty() || (!colour && image.type() != CV_8UC1 && image.type() != CV_16UC1))
-    throw OutputError(
-        "the image cannot be encoded as PNG: it has no pixels, or of another type than 8 or 16-bit grey "
-        "and 8-bit colour");
+    throw OutputError("the image cannot be encoded as PNG: it must have pixels of 8 or 16-bit grey or 8-bit colour");
   Job job(image);
   png_structp png = png_create_write_struct(PNG_LIBPNG_VER_STRING, &job, fail, ignore_warning);
-  if (!png) throw OutputError("there is no memory for the PNG encoder");
+  if (!png) throw OutputError("out of memory in the PNG encoder");
   const Closing closing{png, png_create_info_struct(png), png_destroy_write_struct};
   encode(png, closing.info, job, image.size(), int(8 * image.elemSize1()),
          colour ? PNG_COLOR_TYPE_RGB : PNG_COLOR_TYPE_GRAY);

@@ -84,7 +84,7 @@ PngHeader check_png(const fs::path& file, std::string_view bytes) {
   constexpr std::uint64_t most_in_a_byte = 8 * most_inflated;  // of a bit each
   if (std::uint64_t{header.width} * header.height / most_in_a_byte > bytes.size())
     reject_png(file, "declares " + std::to_string(header.width) + "x" + std::to_string(header.height) +
-                         " pixels, more than its " + std::to_string(bytes.size()) + " bytes can be; write it again");
+                         " pixels, more than its " + std::to_string(bytes.size()) + " bytes can hold; write it again");
   return header;
 }
 

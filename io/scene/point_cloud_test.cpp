@@ -283,7 +283,7 @@ TEST_F(Pcd, ReadsWhatOtherProgramsWrite) {
 TEST_F(Pcd, RefusesAWrongHeader) {
   expect_refusal("VERSION 0.7", "VERSION 0.4", {"c.pcd:2: ", "versions 0.5, 0.6 and 0.7"});
   expect_refusal("FIELDS x y z", "FIELDS", {"c.pcd:3: ", "names no field"});
-  expect_refusal("FIELDS x y z", "FIELDS x x z", {"c.pcd:3: ", "'x' is there twice"});
+  expect_refusal("FIELDS x y z", "FIELDS x x z", {"c.pcd:3: ", "'x' appears twice"});
   expect_refusal("FIELDS x y z", "FIELDS x y w", {"c.pcd: has no field 'z'"});
   expect_refusal("SIZE 4 4 4", "SIZE 4 4", {"c.pcd:4: SIZE has 2 entries for 3 fields"});
   expect_refusal("SIZE 4 4 4", "SIZE 4 4 3", {"c.pcd:4: size '3' of field 'z'"});
@@ -303,19 +303,19 @@ TEST_F(Pcd, RefusesAWrongHeader) {
   expect_refusal("HEIGHT 2\n", "", {"c.pcd:8: a PCD header has HEIGHT here, not 'VIEWPOINT'"});
   expect_refusal("POINTS 4", "POINTS 5", {"c.pcd:10: POINTS must be WIDTH x HEIGHT = 4"});
   expect_refusal("DATA ascii", "DATA text", {"c.pcd:11: DATA must be ascii, binary or binary_compressed"});
-  expect_refusal("DATA ascii\n0 0 1", "DATA ascii", {"c.pcd: has 3 rows of points, the header promises 4"});
+  expect_refusal("DATA ascii\n0 0 1", "DATA ascii", {"c.pcd: has 3 rows of points, the header declares 4"});
 }
 
 TEST_F(Pcd, RefusesMorePointsThanTheFileHolds) {
   const auto huge = [](const std::string& data) {
     return "VERSION 0.7\nFIELDS x y z\nSIZE 4 4 4\nTYPE F F F\nWIDTH 8192\nHEIGHT 8192\nPOINTS 67108864\nDATA " + data;
   };
-  expect_parts(error_of(write(huge("ascii\n0 0 1\n"))), {"has 1 rows", "promises 67108864"});
-  expect_parts(error_of(write(huge("binary\n0123"))), {"has 4 bytes", "promises 805306368", "truncated"});
+  expect_parts(error_of(write(huge("ascii\n0 0 1\n"))), {"has 1 rows", "declares 67108864"});
+  expect_parts(error_of(write(huge("binary\n0123"))), {"has 4 bytes", "declares 805306368", "truncated"});
   expect_parts(error_of(write(huge("binary_compressed\n0123"))), {"has 4 bytes of compressed points"});
   const std::string promised("\x02\0\0\0\0\0\0\x30\0x", 10);
   expect_parts(error_of(write(huge("binary_compressed\n" + promised))),
-               {"promises 805306368 bytes", "more than its 2 compressed ones"});
+               {"declares 805306368 bytes", "more than its 2 compressed bytes"});
   expect_parts(error_of(write_with("WIDTH 2\nHEIGHT 2\nVIEWPOINT 0 0 0 1 0 0 0\nPOINTS 4",
                                    "WIDTH 67108864\nHEIGHT 67108864\nPOINTS 4503599627370496")),
                {"c.pcd:9: ", "2^26"});
@@ -509,15 +509,15 @@ TEST_F(Pcd, RefusesDamagedCompressedData) {
     damaged[body + at] = byte;
     return write(damaged);
   };
-  expect_parts(error_of(with(3, '\x7f')), {"fewer than it promises", "truncated"});
-  expect_parts(error_of(with(4, char(whole[body + 4] + 1))), {"do not belong together"});
+  expect_parts(error_of(with(3, '\x7f')), {"fewer than it declares", "truncated"});
+  expect_parts(error_of(with(4, char(whole[body + 4] + 1))), {"do not match"});
   expect_parts(error_of(with(8, '\xff')), {"damaged compressed data"});
 }
 
 TEST_F(Pcd, RefusesWhatIsNoPcd) {
   expect_parts(error_of(write("")), {"c.pcd: is empty"});
   expect_parts(error_of(write("ply\nformat ascii 1.0\n")), {"c.pcd:1: a PCD header has FIELDS here, not 'ply'"});
-  expect_parts(error_of(write(std::string(100000, 'x'))), {"c.pcd:0: the PCD header breaks off"});
+  expect_parts(error_of(write(std::string(100000, 'x'))), {"c.pcd:0: the PCD header ends here"});
   expect_parts(error_of(folder_.path() / "none.pcd"), {"none.pcd: does not exist"});
 }
 
@@ -556,14 +556,14 @@ TEST_F(Pcd, WhosePointsTellNoCameraIsRefused) {
   expect_parts(error_of(write_with("0 0 1\n0.5 0 1\n0 0.25 1\n0.5 0.25 1", "nan nan nan\nnan nan nan\n0 0 -1\n0 0 0")),
                {"c.pcd: no point of the cloud"});
   expect_refusal("0 0 1\n0.5 0 1\n0 0.25 1\n0.5 0.25 1", "1 1 1\n2 2 2\n3 3 3\n4 4 4",
-                 {"c.pcd: the points are too few or too alike", "--camera"});
+                 {"c.pcd: the points are too few or too similar", "--camera"});
   expect_refusal("0 0 1\n0.5 0 1\n0 0.25 1\n0.5 0.25 1", "0 0 1\n-0.5 0 1\n0 0.25 1\n-0.5 0.25 1",
-                 {"c.pcd: no pinhole camera describes", "in the camera's frame"});
+                 {"c.pcd: no pinhole camera projects", "in the camera's frame"});
   std::vector<Point> scattered = seen_points();
   for (std::size_t i = 0; i < scattered.size(); ++i) std::swap(scattered[i], scattered[(i * 29 + 5) % 48]);
   const fs::path file = folder_.path() / "c.pcd";
   pcl::PCDWriter().writeBinary(file.string(), cloud_of(scattered, 8, {{"x", 'F', 4}, {"y", 'F', 4}, {"z", 'F', 4}}));
-  expect_parts(error_of(file), {"c.pcd: no pinhole camera describes"});
+  expect_parts(error_of(file), {"c.pcd: no pinhole camera projects"});
 }
 
 TEST_F(Pcd, RefusesACameraFileThatIsNotItsOwn) {
@@ -571,9 +571,9 @@ TEST_F(Pcd, RefusesACameraFileThatIsNotItsOwn) {
   pcl::PCDWriter().writeBinary(file.string(),
                                cloud_of(seen_points(), 8, {{"x", 'F', 4}, {"y", 'F', 4}, {"z", 'F', 4}}));
   folder_.write("camera.yaml", "width: 8\nheight: 6\nfx: 40\nfy: 12\ncx: 3.5\ncy: 2.25\n");
-  expect_parts(error_of(file), {"camera.yaml: does not describe", "c.pcd", "--camera"});
+  expect_parts(error_of(file), {"camera.yaml: does not match", "c.pcd", "--camera"});
   folder_.write("camera.yaml", "width: 4\nheight: 6\nfx: 10\nfy: 12\ncx: 3.5\ncy: 2.25\n");
-  expect_parts(error_of(file), {"camera.yaml: is made for 4x6 images", "c.pcd is 8x6"});
+  expect_parts(error_of(file), {"camera.yaml: is for 4x6 images", "c.pcd is 8x6"});
   folder_.write("camera.yaml", "width: 8\nheight: 6\nfx: 10.1\nfy: 12\ncx: 3.5\ncy: 2.25\n");
   EXPECT_DOUBLE_EQ(read_scene(file).frame.camera.fx, 10.1);
 }

@@ -76,8 +76,8 @@ CameraFile camera_of_frame(const fs::path& depth, const fs::path& recording, cv:
   if (size == cv::Size(640, 480) && fs::exists(recording / "rgb.txt", ignored) &&
       fs::exists(recording / "depth.txt", ignored)) {
     warnings.push_back(recording.string() +
-                       ": has no camera; taken for a sequence of TUM's benchmark: 525 px, 5000 units "
-                       "of depth a metre. If it is another's, give --camera FILE and --unit");
+                       ": has no camera; assumed to be a TUM sequence: 525 px, 5000 units of depth per metre. If it is "
+                       "not, give --camera FILE and --unit");
     CameraFile camera(Camera{640, 480, 525, 525, 319.5, 239.5});
     camera.depth_scale = 1.0 / 5000;
     return camera;

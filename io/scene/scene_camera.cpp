@@ -45,7 +45,7 @@ Camera camera_for(const CameraFile& file, cv::Size size, const fs::path& image, 
     camera.width = size.width, camera.height = size.height;
     const std::string centre = name + ": its principal point (" + plain(camera.cx) + ", " + plain(camera.cy) + ") ";
     const std::string remedy =
-        "; if the camera is of another resolution, write its width and height, by which it is scaled";
+        "; if the camera is for another resolution, add its width and height so that it is scaled";
     if (!(camera.cx >= 0 && camera.cx <= size.width && camera.cy >= 0 && camera.cy <= size.height))
       throw InputError(centre + "lies outside of " + image.string() + ", which is " + text(size) + remedy);
     // That of a camera of twice the resolution is in the corner.
@@ -60,9 +60,9 @@ Camera camera_for(const CameraFile& file, cv::Size size, const fs::path& image, 
   const int least = std::min({size.width, size.height, camera.width, camera.height});
   const bool same_aspect = std::abs(x / y - 1) <= 1.0 / least;  // sides are whole numbers: one may be off by a pixel
   if (!same_aspect || std::max(x, 1 / x) > largest_scale || least < smallest_side)
-    throw InputError(name + ": is made for " + text(size_of(camera)) + " images, " + image.string() + " is " +
-                     text(size) + "; give the camera file of this sensor mode");
-  input.notes.push_back(name + " is made for " + text(size_of(camera)) + " images; it is scaled to " + text(size) +
+    throw InputError(name + ": is for " + text(size_of(camera)) + " images, " + image.string() + " is " + text(size) +
+                     "; give the camera file of this sensor mode");
+  input.notes.push_back(name + " is for " + text(size_of(camera)) + " images; it is scaled to " + text(size) +
                         ", which is right unless the images are cropped");
   return scaled(camera, size);
 }

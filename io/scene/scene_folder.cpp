@@ -52,7 +52,7 @@ cv::Mat_<std::uint16_t> depth_in_units(const Frame& frame, double metres) {
       if (depth > std::numeric_limits<std::uint16_t>::max())
         throw InputError(frame.name + ": has a depth of " + std::to_string(frame.depth(v, u)) +
                          " m; 16 bits of this unit reach " + std::to_string(65535 * metres) +
-                         " m, take points beyond out");
+                         " m, remove points beyond that");
       units(v, u) = std::uint16_t(depth);
     }
   return units;
@@ -76,7 +76,7 @@ void write_camera(const Camera& camera, const OutputPath& folder) {
   const fs::path file = output.path();
   update_file(output, [&] {
     if (fs::exists(file) && read_bytes(file, largest_text) != text)
-      throw OutputError(file.string() + ": the folder holds scenes of another camera; choose another --output");
+      throw OutputError(file.string() + ": the folder contains scenes of another camera; choose another --output");
     return text;
   });
 }

@@ -13,10 +13,11 @@ void check_scene_names(const std::vector<NamedScene>& scenes) {
   std::map<std::string, std::filesystem::path> names;
   for (const auto& [path, name] : scenes) {
     if (name.empty() || name == "." || name == ".." || name.find('/') != name.npos)
-      throw InputError(path.string() + ": has the name '" + name + "', which no folder of results can have; rename it");
+      throw InputError(path.string() + ": has the name '" + name +
+                       "', which cannot be used for a folder of results; rename it");
     const auto [other, is_new] = names.emplace(name, path);
     if (is_new) continue;
-    if (other->second == path) throw InputError(path.string() + ": is there twice; take it out once");
+    if (other->second == path) throw InputError(path.string() + ": is given twice; remove one");
     throw InputError(path.string() + ": has the same name as " + other->second.string() + ", '" + name +
                      "', so that one would replace the other; give them apart or rename one");
   }

@@ -26,12 +26,12 @@ TEST(SceneNames, AreDistinct) {
       complaint({{"a/1.png", "1"}, {"a/2.png", "2"}, {"b/1.png", "1"}}),
       "b/1.png: has the same name as a/1.png, '1', so that one would replace the other; give them apart or rename "
       "one");
-  EXPECT_EQ(complaint({{"a/1.png", "1"}, {"a/1.png", "1"}}), "a/1.png: is there twice; take it out once");
+  EXPECT_EQ(complaint({{"a/1.png", "1"}, {"a/1.png", "1"}}), "a/1.png: is given twice; remove one");
 }
 
 TEST(SceneNames, AreThoseOfFoldersBelowTheOutput) {
   for (const char* name : {"", ".", "..", "../a", "a/b", "/a"})
-    EXPECT_NE(complaint({{"x", name}}).find("which no folder of results can have"), std::string::npos) << name;
+    EXPECT_NE(complaint({{"x", name}}).find("which cannot be used for a folder of results"), std::string::npos) << name;
   EXPECT_EQ(complaint({{"x", "..."}}), "");
 }
 

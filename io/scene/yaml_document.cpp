@@ -17,7 +17,7 @@ namespace {
 class Beginnings final : public YAML::EventHandler {
  public:
   void OnDocumentStart(const YAML::Mark& mark) override {
-    if (mark.pos <= last_) throw YAML::ParserException(mark, "this cannot stand at the beginning of a document");
+    if (mark.pos <= last_) throw YAML::ParserException(mark, "not allowed at the start of a document");
     last_ = mark.pos;
   }
   void OnDocumentEnd() override {}
@@ -52,8 +52,7 @@ YAML::Node load_yaml_document(const std::string& text) {
   YAML::Node only;
   for (const YAML::Node& document : YAML::LoadAll(text)) {
     if (document.IsNull()) continue;
-    if (!only.IsNull())
-      throw YAML::ParserException(document.Mark(), "a second document begins here; write it into a file of its own");
+    if (!only.IsNull()) throw YAML::ParserException(document.Mark(), "second YAML document; move it to its own file");
     only = document;
   }
   return only;

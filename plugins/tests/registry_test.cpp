@@ -125,7 +125,7 @@ TEST(Registry, RejectsAnotherBuildAndTellsBoth) {
   expect_in("[" + build_fingerprint() + "]", reason);
 }
 
-TEST(Registry, RejectsAForeignManifest) { expect_in("not one of Gestalt's", rejection("other_magic")); }
+TEST(Registry, RejectsAForeignManifest) { expect_in("not a Gestalt manifest", rejection("other_magic")); }
 
 TEST(Registry, RejectsALibraryWithoutTheEntrySymbol) { expect_in("gestalt_plugin_manifest", rejection("no_entry")); }
 
@@ -153,7 +153,7 @@ TEST(Registry, ListsFactoriesThatFailAndTakesTheRest) {
   ASSERT_EQ(registry.rejected().size(), 3u);
   expect_in("'throws_at_load' failed: no licence for this solver", registry.rejected()[0].reason);
   expect_in("'throws_an_int_at_load' failed", registry.rejected()[1].reason);
-  expect_in("'null_at_load' gave nothing", registry.rejected()[2].reason);
+  expect_in("'null_at_load' returned nothing", registry.rejected()[2].reason);
 }
 
 TEST(Registry, WhatAFactoryDoesWrongIsAPluginError) {
@@ -161,9 +161,9 @@ TEST(Registry, WhatAFactoryDoesWrongIsAPluginError) {
   const auto message = [&](const char* name) {
     return message_of<PluginError>([&] { registry.create<Solver>(name, {}); });
   };
-  expect_in("solver 'throws' could not be made: the table of weights is missing", message("throws"));
-  expect_in("solver 'throws_an_int' could not be made", message("throws_an_int"));
-  expect_in("solver 'gives_null' could not be made: its factory returned nothing", message("gives_null"));
+  expect_in("solver 'throws' could not be created: the table of weights is missing", message("throws"));
+  expect_in("solver 'throws_an_int' could not be created", message("throws_an_int"));
+  expect_in("solver 'gives_null' could not be created: its factory returned nothing", message("gives_null"));
 }
 
 TEST(Registry, TwoPluginsOfOneNameAreAnErrorNamingBoth) {

@@ -43,13 +43,13 @@ Answer = TypeVar("Answer")
 
 @functools.lru_cache(maxsize=4)
 def _segmenter(identity: str, config: str | None, overrides: Overrides, components: Components) -> _gestalt.Segmenter:
-    """Made anew when what lies at a path has another content, which is what identity names."""
+    """Made again when a file at a path has changed, which changes the identity."""
     _gestalt.keep_freed_memory()
     segmenter = _gestalt.Segmenter(config, list(overrides), components=dict(components), threads=1)
     if _gestalt.run_identity(config, list(overrides), components=dict(components)) != identity:
         raise _gestalt.ConfigError(
             "this worker has another config, model, plugin or version than segment() was called with: leave files alone "
-            "while scenes are at work; after a plugin or gestalt was rebuilt, restart the workers"
+            "while scenes are being segmented; after a plugin or gestalt was rebuilt, restart the workers"
         )
     return segmenter
 

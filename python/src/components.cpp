@@ -54,18 +54,18 @@ py::array_t<double> matrix(std::span<const double> values, std::size_t rows) {
 
 /// Writes what a component gave for a number of rows; one column may come without its axis.
 void read_rows(const py::object& given, std::size_t rows, const std::string& who, std::span<double> values) {
-  if (py::hasattr(given, "mask") && py::hasattr(given, "filled")) throw PluginError(who + " gave a masked array");
+  if (py::hasattr(given, "mask") && py::hasattr(given, "filled")) throw PluginError(who + " returned a masked array");
   const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
   if (!array) {
     PyErr_Clear();
-    throw PluginError(who + " gave no array of numbers");
+    throw PluginError(who + " did not return an array of numbers");
   }
   const std::size_t columns = values.size() / rows;
   const bool flat = columns == 1 && array.ndim() == 1 && std::size_t(array.shape(0)) == rows;
   if (!flat && (array.ndim() != 2 || std::size_t(array.shape(0)) != rows || std::size_t(array.shape(1)) != columns)) {
     std::string shape;
     for (py::ssize_t i = 0; i < array.ndim(); ++i) shape += (i ? ", " : "") + std::to_string(array.shape(i));
-    throw PluginError(who + " gave an array of shape (" + shape + "), expected (" + std::to_string(rows) + ", " +
+    throw PluginError(who + " returned an array of shape (" + shape + "), expected (" + std::to_string(rows) + ", " +
                       std::to_string(columns) + ")");
   }
   std::copy_n(array.data(), values.size(), values.begin());
@@ -180,7 +180,8 @@ class SceneView {
   }
 
   const SurfaceSet& surfaces() const {
-    if (!surfaces_) throw std::runtime_error("the frame of this scene is over; compute in bind() what is needed later");
+    if (!surfaces_)
+      throw std::runtime_error("the frame of this scene has ended; compute in bind() whatever is needed later");
     return *surfaces_;
   }
 
@@ -260,7 +261,7 @@ class PythonPredictor final : public Predictor {
                            [&] { read_rows(call_python(*predict_, matrix(values, p.size())), p.size(), who_, p); });
     for (const double one : p)
       if (!(one >= 0 && one <= 1))
-        throw PluginError(who_ + " gave the probability " + std::to_string(one) + ", which is not in [0, 1]");
+        throw PluginError(who_ + " returned the probability " + std::to_string(one) + ", which is not in [0, 1]");
   }
 
   nlohmann::json state() const override { return state_; }
@@ -324,7 +325,7 @@ class PythonSolver final : public Solver {
       std::map<double, int> number;  // in order of first appearance
       std::vector<int> numbered;
       for (const double group : groups) {
-        if (std::isnan(group)) throw PluginError(who_ + " gave a group that is not a number");
+        if (std::isnan(group)) throw PluginError(who_ + " returned a group that is not a number");
         numbered.push_back(number.try_emplace(group, int(number.size())).first->second);
       }
       return numbered;

@@ -24,7 +24,7 @@ std::atomic<int> forked = 0;
 std::atomic<bool> ending = false;
 std::thread::id ending_thread;            ///< that of Python's main program, set before ending
 std::atomic<bool> workers_begun = false;  ///< TBB may have threads of its own
-std::atomic<bool> threads_lost = false;   ///< this process is a copy without the threads that were at work
+std::atomic<bool> threads_lost = false;   ///< this process is a copy without the threads that were running
 
 /// What stopped a call of this thread; touched with the interpreter held.
 thread_local PyObject* interruption = nullptr;
@@ -60,7 +60,7 @@ void end_calls() {
 CoreCall::CoreCall() {
   if (threads_lost)
     throw Error(
-        "this process was forked from one in which gestalt had threads at work, which a fork does not copy; use "
+        "this process was forked while gestalt was using several threads, which fork() does not copy; use "
         "multiprocessing.get_context(\"spawn\"), or \"forkserver\", or fork before the first frame is computed");
   if (ending && std::this_thread::get_id() != ending_thread) {  // an exception would be printed as of a fault
     PyEval_SaveThread();
@@ -94,7 +94,7 @@ Released::~Released() {
 bool interpreter_is_ending() noexcept { return ending; }
 
 void require_interpreter() {
-  if (ending) throw Error("the interpreter is ending, and begins no more work");
+  if (ending) throw Error("the interpreter is shutting down and starts no new work");
 }
 
 void note_interruption(const py::error_already_set& raised) {

@@ -84,7 +84,7 @@ void refuse_exit() {
   const char* const component = own_component();
   if (!component) return;
   std::cerr << "gestalt: error: exit() was called while " << component
-            << " was at work; report this to its author, or leave it out of the config" << std::endl;
+            << " was running; report this to its author, or remove it from the config" << std::endl;
   ::_exit(1);
 }
 

@@ -39,7 +39,7 @@ namespace {
 
 namespace fs = std::filesystem;
 
-constexpr const char* config_of_depth = "; config=\"depth_only.yaml\" asks for it and is not warned of";
+constexpr const char* config_of_depth = "; config=\"depth_only.yaml\" selects it without this warning";
 
 /// What results need of the segmenter that made them.
 struct Source {
@@ -255,7 +255,7 @@ Value named(const std::array<std::pair<std::string_view, Value>, count>& values,
     if (known == name) return value;
     names.append(names.empty() ? "" : ", ").append(known);
   }
-  throw InputError(argument + ": '" + name + "' is none of " + names);
+  throw InputError(argument + ": '" + name + "' is not one of " + names);
 }
 
 void check_names(const std::vector<fs::path>& scenes) {
@@ -324,7 +324,7 @@ std::vector<fs::path> paths(const py::object& paths) {
 
 std::vector<fs::path> some_paths(const py::object& given) {
   std::vector<fs::path> some = paths(given);
-  if (some.empty()) throw InputError("scenes: there are none; give a folder of scenes, or a list of them");
+  if (some.empty()) throw InputError("scenes: the list is empty; give a folder of scenes, or a list of them");
   return some;
 }
 

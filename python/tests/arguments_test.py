@@ -195,21 +195,21 @@ def calls(g):
 def run(seed, rounds, log):
     """Tries it, and gives what came out that should not."""
     wrong = []
-    with tempfile.TemporaryDirectory() as folder, open(log, "w", buffering=1) as told:
+    with tempfile.TemporaryDirectory() as folder, open(log, "w", buffering=1) as report:
         warnings.simplefilter("ignore")
         os.chdir(folder)  # relative names are written to
         g = Generator(seed, pathlib.Path(folder))
         known = calls(g)
         for number in range(rounds):
             name = g.random.choice(sorted(known))
-            print(f"round {number}: {name}", file=told)
+            print(f"round {number}: {name}", file=report)
             try:
                 known[name]()
             except (*EXPECTED, Odd):
                 pass
             except BaseException as error:  # anything else is a find
                 wrong.append(f"round {number}: {name}: {error!r}")
-                print(wrong[-1], file=told)
+                print(wrong[-1], file=report)
     return wrong
 
 

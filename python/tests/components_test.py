@@ -131,7 +131,7 @@ class ComponentsTest(unittest.TestCase):
 
         self.trained({"own": relation(bind=bind)}, OWN_RELATION[:1]).segment(demo)
         self.assertGreater(seen["depth"].max(), 0)
-        with self.assertRaisesRegex(RuntimeError, "the frame of this scene is over"):
+        with self.assertRaisesRegex(RuntimeError, "the frame of this scene has ended"):
             seen["scene"].sizes
 
     def test_a_classifier_learns_is_kept_and_decides(self):
@@ -178,10 +178,10 @@ class ComponentsTest(unittest.TestCase):
             ("nowhere", raises),
             ("r_own", lambda pairs: numpy.full(len(pairs), numpy.nan)),
             ("r_own", lambda pairs: numpy.full(len(pairs), 1.5)),
-            ("gave an array of shape (3, 7)", lambda pairs: numpy.zeros((3, 7))),
-            ("gave an array of shape ()", lambda pairs: 0.5),
-            ("gave no array of numbers", lambda pairs: ["a"] * len(pairs)),
-            ("gave an array of shape ()", lambda pairs: None),
+            ("returned an array of shape (3, 7)", lambda pairs: numpy.zeros((3, 7))),
+            ("returned an array of shape ()", lambda pairs: 0.5),
+            ("did not return an array of numbers", lambda pairs: ["a"] * len(pairs)),
+            ("returned an array of shape ()", lambda pairs: None),
             ("not callable", 7),
         ):
             with self.subTest(text):
@@ -214,9 +214,9 @@ class ComponentsTest(unittest.TestCase):
             return Own
 
         for text, answer in (
-            ("gave an array of shape", lambda n: numpy.zeros(n + 1)),
+            ("returned an array of shape", lambda n: numpy.zeros(n + 1)),
             ("not a number", lambda n: numpy.full(n, numpy.nan)),
-            ("gave no array", lambda n: "all"),
+            ("did not return an array", lambda n: "all"),
             ("division by zero", lambda n: 1 / 0),
         ):
             with self.subTest(text), self.assertRaises(gestalt.PluginError) as raised:

@@ -122,7 +122,7 @@ class DaskTest(unittest.TestCase):
         output.mkdir()
         elsewhere.mkdir()
         (output / demo.name).symlink_to(elsewhere)
-        with self.assertRaisesRegex(gestalt.OutputError, "is a link"):
+        with self.assertRaisesRegex(gestalt.OutputError, "is a symbolic link"):
             gestalt.dask.segment(self.client, [demo], output)
         self.assertEqual(list(elsewhere.iterdir()), [])
 

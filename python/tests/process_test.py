@@ -1,6 +1,6 @@
 # SPDX-FileCopyrightText: 2026 The Gestalt authors
 # SPDX-License-Identifier: BSD-3-Clause
-"""The end of the interpreter, forks and Ctrl-C while frames are at work. Programs of their own, a few rounds of each;
+"""The end of the interpreter, forks and Ctrl-C while frames are computed. Programs of their own, a few rounds of each;
 GESTALT_ROUNDS says how many."""
 
 import os
@@ -121,7 +121,7 @@ class ProcessTest(unittest.TestCase):
         segmenter = gestalt.Segmenter()
         atexit.register(lambda: print(segmenter.segment(scene).name))
         """
-        told = "the interpreter is ending, and begins no more work"
+        told = "the interpreter is shutting down and starts no new work"
         self.assertEqual(program(text, begin=begin), (0, f"{demo.name}\n{told}\n", ""))
 
     def test_a_fork_during_a_frame_raises_in_the_child(self):

@@ -141,7 +141,7 @@ class PipelineTest(unittest.TestCase):
             lambda: gestalt.cross_validate([]),
             lambda: gestalt.train([], "no_model.json"),
         ):
-            with self.assertRaisesRegex(gestalt.InputError, "scenes: there are none"):
+            with self.assertRaisesRegex(gestalt.InputError, "scenes: the list is empty"):
                 call()
 
     def test_saves_below_a_folder_and_follows_no_link_there(self):
@@ -150,7 +150,7 @@ class PipelineTest(unittest.TestCase):
             root.mkdir()
             elsewhere.mkdir()
             (root / "link").symlink_to(elsewhere)
-            with self.assertRaisesRegex(gestalt.OutputError, "link: is a link"):
+            with self.assertRaisesRegex(gestalt.OutputError, "link: is a symbolic link"):
                 self.result.save(root, "link")
             with self.assertRaises(gestalt.OutputError):
                 self.result.save(root, "../elsewhere")

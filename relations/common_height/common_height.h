@@ -11,7 +11,7 @@ namespace gestalt {
 /// fate: what ends together belongs together). The inner and outer wall of a cup end at the same rim, the sides of a
 /// box at the same edge; things beside one another rarely do. Heights run along the normal of the scene's largest
 /// patch, the uppermost of several: the support, or a floor that is parallel to it. Where a wall is larger still, the
-/// value tells how far two patches stick out towards the camera.
+/// value says how far two patches stick out towards the camera.
 ///
 /// The top is the 97th percentile of the heights of at most 1000 evenly spread pixels of a patch.
 class CommonHeight final : public Relation {

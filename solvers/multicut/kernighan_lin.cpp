@@ -134,7 +134,7 @@ class Improvement {
   std::vector<int>& groups_;
   std::vector<std::set<int>> members_;  // of each group
   std::vector<double> gain_;            // of each node, should it change sides
-  std::vector<signed char> side_;       // 0 or 1 in the pair that is at work
+  std::vector<signed char> side_;       // 0 or 1 in the current pair
   std::int64_t looks_ = 0;
 };
 

@@ -71,7 +71,7 @@ TEST_F(BadInput, ANameThatWouldLeaveTheOutputFolder) {
   fs::create_directory(stranger);
   folder.write("stranger/...pcd", pcd({{{0, 0, 1}, 0}}, 1, 1));
   fs::copy(scene / "camera.yaml", stranger);
-  refuse(stranger, 3, {"holds no scene"});  // files whose names begin with a dot are passed over
+  refuse(stranger, 3, {"contains no scene"});  // files whose names begin with a dot are passed over
   refuse(stranger / "...pcd", 3, {"...pcd", "has the name '..'", "rename it"});
   EXPECT_EQ(files_below(stranger).size(), 2u);
 }
@@ -98,7 +98,7 @@ TEST_F(BadInput, FilesThatWouldFillTheMemory) {
 
 TEST_F(BadInput, EmptyFolder) {
   fs::create_directory(folder.path() / "empty");
-  refuse(folder.path() / "empty", 3, {"empty", "holds no scene", "depth.png"});
+  refuse(folder.path() / "empty", 3, {"empty", "contains no scene", "depth.png"});
 }
 
 TEST_F(BadInput, UnreadableFile) {

@@ -78,7 +78,7 @@ TEST_F(Convert, LinksBelowTheOutputFolderAreNotFollowed) {
   fs::create_symlink(mine, out / "test.csv");
   const Outcome outcome = convert(release, "osd", {"--camera", camera});
   EXPECT_EQ(outcome.code, 1);
-  EXPECT_EQ(occurrences("learn25: is a link", outcome.err), 1) << outcome.err;
+  EXPECT_EQ(occurrences("learn25: is a symbolic link", outcome.err), 1) << outcome.err;
   EXPECT_EQ(files_below(elsewhere), Texts{});
   EXPECT_EQ(content(mine), header);
   EXPECT_EQ(occurrences("test54,", content(out / "test.csv")), 1);
@@ -92,7 +92,7 @@ TEST_F(Convert, ALinkInPlaceOfAFolderBelowTheOutputIsNotFollowed) {
   for (const char* format : {"scene", "npz"}) {
     const Outcome outcome = convert(release, "osd", {"--camera", camera, "--to", format});
     EXPECT_EQ(outcome.code, 1);
-    EXPECT_EQ(occurrences("out/learn: is a link", outcome.err), 1) << outcome.err;
+    EXPECT_EQ(occurrences("out/learn: is a symbolic link", outcome.err), 1) << outcome.err;
   }
   EXPECT_EQ(files_below(elsewhere), Texts{});
   fs::remove(out / "learn");
@@ -122,7 +122,7 @@ TEST_F(Convert, ScenesOfOneNameAreRefused) {
   expect_refused(convert(tum_sequence(folder, {"a/1.png", "b/1.png"}), "tum", {"--camera", camera}), 3,
                  {"b/1.png: has the same name as ", "a/1.png, '1'", "rename one"});
   expect_refused(convert(tum_sequence(folder, {"a/1.png", "a/1.png"}), "tum", {"--camera", camera}), 3,
-                 {"a/1.png: is there twice"});
+                 {"a/1.png: is given twice"});
   expect_refused(convert(tum_sequence(folder, {"a/...png"}), "tum", {"--camera", camera}), 3,
                  {"...png: has the name '..'", "rename it"});
   for (const char* sequence : {"ocid/a_b/c", "ocid/a/b_c"}) {
@@ -137,7 +137,7 @@ TEST_F(Convert, ScenesOfOneNameAreRefused) {
                                            "000000": {"cam_K": [75,0,39.5,0,75,29.5,0,0,1]}})");
   fs::create_directories(folder.path() / "bop" / "depth");
   write_image(folder.path() / "bop" / "depth" / "000000.png", small_wall());
-  expect_refused(convert(folder.path() / "bop", "bop"), 3, {"000000.png: is there twice"});
+  expect_refused(convert(folder.path() / "bop", "bop"), 3, {"000000.png: is given twice"});
   fs::create_directories(folder.path() / "bop" / "rgb");
   write_image(folder.path() / "bop" / "rgb" / "000000.png", cv::Mat(small_wall().size(), CV_8UC3, cv::Scalar(9, 8, 7)));
   for (const char* k : {"[75,9,39.5,0,75,29.5,0,0,1]", "[75,0,39.5,9,75,29.5,0,0,1]", "[75,0,39.5,0,75,29.5,0,0,2]"}) {
@@ -150,7 +150,7 @@ TEST_F(Convert, ScenesOfOneNameAreRefused) {
 TEST_F(Convert, BadInputIsRefused) {
   expect_refused(convert(folder.path(), "osd"), 3, {"disparity", "OSD release"});
   expect_refused(convert(folder.path() / "nowhere", "pcd"), 3, {"nowhere", "does not exist"});
-  expect_refused(convert(synthetic_scene(), "pcd"), 3, {"scene folder already"});
+  expect_refused(convert(synthetic_scene(), "pcd"), 3, {"already a scene folder"});
   fs::remove_all(release / "disparity" / "test54.png");
   for (const char* kind : {"image_color", "annotation"}) fs::remove(release / kind / "test54.png");
   expect_refused(convert(release, "osd"), 3, {"learn25.png", "80x60", "--camera"});

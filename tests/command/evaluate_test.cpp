@@ -115,10 +115,11 @@ TEST_F(Evaluate, WhatCannotBeLeftOutIsToldWithTheRemedy) {
   const auto refuse = [&](const Texts& options, const Texts& words) {
     expect_refused(run_gestalt(joined({"evaluate", scenes}, options)), 2, words);
   };
-  refuse({"--leave-one-out", "set"}, {"all scenes are of one set, scenes", "two folders"});
+  refuse({"--leave-one-out", "set"}, {"all scenes belong to one set, scenes", "two folders"});
   refuse({"--leave-one-out", "category"}, {"one category, mixed_objects", scenes + ".csv"});
   refuse({"--also-train", others}, {"--also-train", "nothing is trained", "--leave-one-out"});
-  refuse({"--cross-validate", "2", "--also-train", synthetic_scene()}, {synthetic_scene(), "scene to test on"});
+  refuse({"--cross-validate", "2", "--also-train", synthetic_scene()},
+         {synthetic_scene(), "test scene and a training scene"});
 }
 
 }  // namespace

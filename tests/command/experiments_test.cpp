@@ -41,7 +41,7 @@ TEST_F(Ablation, LinksInTheOutputAreNotFollowed) {
   fs::create_directories(folder.path() / "out");
   fs::create_directory_symlink(elsewhere, out("results"));
   expect_refused(ablate({"--grid", "structural.minimum_size=30"}), 1,
-                 {"results: is a link", "choose another --output"});
+                 {"results: is a symbolic link", "choose another --output"});
   EXPECT_TRUE(fs::is_empty(elsewhere));
   fs::remove(out("results"));
   fs::create_symlink(folder.write("precious", "mine"), out("ablation.csv"));
@@ -192,7 +192,7 @@ TEST_F(Ablation, ScenesMustHaveGroundTruthAndBeApart) {
   const fs::path scene = write_scene(folder.path() / "unlabelled", small_wall());
   expect_refused(run_gestalt(joined({"ablate", synthetic_scenes(), scene}, each)), 3, {scene.string(), "ground truth"});
   expect_refused(run_gestalt(joined({"ablate", synthetic_scenes(), "--test", synthetic_scene()}, each)), 2,
-                 {synthetic_scene().string(), "tested on others"});
+                 {synthetic_scene().string(), "both a training scene and a test scene"});
   expect_refused(run_gestalt(joined({"ablate", synthetic_scenes()}, each)), 2, {"5 folds of 4 scenes"});
   EXPECT_EQ(files_below(folder.path() / "out"), Texts{});
 }
@@ -318,7 +318,7 @@ TEST_F(Reproduction, PeersAndFurtherSetsThatCannotBeUsedAreRefused) {
   refuse({"--peer", "LCCP=" + (folder.path() / "nowhere").string()}, 3, {"nowhere", "LCCP"});
   refuse({"--peer", "LCCP=" + folder.path().string()}, 3, {"labels.png", "every scene needs a prediction"});
   refuse({"--also-test", "boxes=" + learn.string()}, 2, {"the name boxes is taken"});
-  refuse({"--also-test", "again=" + learn.string()}, 2, {"tested on others"});
+  refuse({"--also-test", "again=" + learn.string()}, 2, {"both a training scene and a test scene"});
   refuse({"--also-test", "gone=" + (folder.path() / "nowhere").string()}, 3, {"nowhere"});
 }
 
@@ -339,7 +339,7 @@ TEST_F(Reproduction, DataThatCannotBeUsedAreRefused) {
   fs::create_directories(folder.path() / "data" / "test");
   expect_refused(reproduce(folder.path() / "data"), 3, {(folder.path() / "data" / "learn").string(), "test"});
   fs::create_directories(folder.path() / "data" / "learn");
-  expect_refused(reproduce(folder.path() / "data"), 3, {"holds no scene"});
+  expect_refused(reproduce(folder.path() / "data"), 3, {"contains no scene"});
   write_scene(folder.path() / "data" / "learn" / "a", small_wall());
   fs::remove_all(folder.path() / "data" / "test");
   expect_refused(reproduce(folder.path() / "data"), 2, {"5 folds of 1 scenes"});

@@ -55,7 +55,7 @@ class Interrupted : public testing::Test {
     const Outcome outcome = segment(joined({"--resume"}, more));
     expect_success(outcome);
     EXPECT_EQ(occurrences("\n", outcome.out), 4);
-    return occurrences("is there already", outcome.out);
+    return occurrences("already done, skipped", outcome.out);
   }
 
   TemporaryFolder folder;
@@ -76,7 +76,7 @@ TEST_F(Interrupted, ASignalEndsTheBatchAfterTheScenesAtWork) {
     const Outcome outcome = segment_and_send(signal);
     EXPECT_EQ(outcome.code, 128 + signal);
     EXPECT_EQ(occurrences("interrupted: ", outcome.err), 1) << outcome.err;
-    EXPECT_EQ(occurrences(" of 4 scenes were not begun", outcome.err), 1) << outcome.err;
+    EXPECT_EQ(occurrences(" of 4 scenes were not started", outcome.err), 1) << outcome.err;
     const int done = occurrences("\n", outcome.out);
     EXPECT_GE(done, 1);
     EXPECT_LT(done, 4);
@@ -124,9 +124,9 @@ TEST_F(Interrupted, ResumingKnowsTheLabelsOfClouds) {
     return run_gestalt({"segment", cloud, "--camera", scenes / "camera.yaml", "--output", out, "--resume"});
   };
   expect_success(resume());
-  EXPECT_EQ(occurrences("is there already", resume().out), 1);
+  EXPECT_EQ(occurrences("already done, skipped", resume().out), 1);
   ASSERT_TRUE(fs::remove(out / "cloud" / "labels.pcd"));
-  EXPECT_EQ(occurrences("is there already", resume().out), 0);
+  EXPECT_EQ(occurrences("already done, skipped", resume().out), 0);
   EXPECT_TRUE(fs::exists(out / "cloud" / "labels.pcd"));
 }
 
@@ -156,7 +156,7 @@ TEST_F(Interrupted, ResumingGoesByContentNotByTimes) {
   expect_success(segment());
   for (const char* file : {"depth.png", "rgb.png"})
     fs::last_write_time(scenes / names[0] / file, fs::file_time_type::clock::now() + std::chrono::hours(1));
-  EXPECT_EQ(left_alone(), 4) << "a time alone is no change";
+  EXPECT_EQ(left_alone(), 4) << "a time alone is not a change";
   replace(scenes / names[1] / "depth.png", scenes / names[2] / "depth.png");
   EXPECT_EQ(left_alone(), 3);
   EXPECT_EQ(left_alone(), 4);
@@ -182,7 +182,7 @@ TEST_F(Interrupted, ResumingSeesWhereALinkLeads) {
   const auto resume = [&] {
     const Outcome outcome = run_gestalt({"segment", linked / "a", "--output", out, "--resume"});
     expect_success(outcome);
-    return occurrences("is there already", outcome.out);
+    return occurrences("already done, skipped", outcome.out);
   };
   lead(0);
   EXPECT_EQ(resume(), 0);
@@ -197,7 +197,7 @@ TEST_F(Interrupted, ResumingKnowsResultsInTheScenesOwnFolders) {
   const auto resume = [&](const Texts& more) {
     const Outcome outcome = run_gestalt(joined({"segment", scenes, "--output", scenes, "--resume"}, more));
     expect_success(outcome);
-    return occurrences("is there already", outcome.out);
+    return occurrences("already done, skipped", outcome.out);
   };
   EXPECT_EQ(resume({}), 0);
   EXPECT_EQ(resume({}), 4);
@@ -212,7 +212,7 @@ TEST_F(Interrupted, ResumingKnowsScenesWhosePathIsNoUtf8) {
   fs::copy(scenes / "camera.yaml", scene);
   const Texts command{"segment", scene, "--output", out, "--resume"};
   expect_success(run_gestalt(command));
-  EXPECT_EQ(occurrences("is there already", run_gestalt(command).out), 1);
+  EXPECT_EQ(occurrences("already done, skipped", run_gestalt(command).out), 1);
 }
 
 TEST_F(Interrupted, ResumingSeesThatAPluginWasBuiltAnew) {
@@ -224,7 +224,7 @@ TEST_F(Interrupted, ResumingSeesThatAPluginWasBuiltAnew) {
                                          "decision.solver=misbehaving", "--set", "decision.solver.params.how=linger"},
                                         {.variables = {"GESTALT_PLUGIN_PATH=" + mine.string()}});
     expect_success(outcome);
-    return occurrences("is there already", outcome.out);
+    return occurrences("already done, skipped", outcome.out);
   };
   EXPECT_EQ(resume(), 0);
   EXPECT_EQ(resume(), 1);

@@ -36,7 +36,7 @@ TEST_F(Misbehaving, WhatIsThrownIsAnErrorWithItsName) {
 }
 
 TEST_F(Misbehaving, WhoTakesTooLongEndsTheFrame) {
-  expect_refused(segment_with("linger", "3000"), 1, {"time_budget of 3000 ms", "solver 'misbehaving' was at work"});
+  expect_refused(segment_with("linger", "3000"), 1, {"time_budget of 3000 ms", "solver 'misbehaving' was running"});
   EXPECT_EQ(files_below(out), Texts{});
   EXPECT_EQ(segment_with("linger", "60000").code, 0);
   // Ten times this budget is less than it takes, but it does return.
@@ -45,7 +45,7 @@ TEST_F(Misbehaving, WhoTakesTooLongEndsTheFrame) {
 
 TEST_F(Misbehaving, WhoNeverReturnsEndsTheProcess) {
   expect_refused(segment_with("hang", "1000"), 1,
-                 {"with a time_budget of 1000 ms; at work: solver 'misbehaving'", "scene"});
+                 {"with a time_budget of 1000 ms; running: solver 'misbehaving'", "scene"});
   EXPECT_EQ(files_below(out), Texts{});
 }
 
@@ -59,7 +59,7 @@ TEST_F(Misbehaving, WhoAllocatesWithoutEndIsAnErrorUnderALimit) {
 
 TEST_F(Misbehaving, WhoEndsTheProcessFails) {
   for (const char* how : {"exit", "quick_exit", "exit_elsewhere"})
-    expect_refused(segment_with(how), 1, {"exit() was called while solver 'misbehaving' was at work"});
+    expect_refused(segment_with(how), 1, {"exit() was called while solver 'misbehaving' was running"});
   EXPECT_EQ(files_below(out), Texts{});
 }
 

@@ -411,7 +411,7 @@ TEST_F(Segment, LinksBelowTheOutputFolderAreNotFollowed) {
   fs::create_directory(out);
   fs::create_directory(folder.path() / "elsewhere");
   fs::create_directory_symlink(folder.path() / "elsewhere", out / "a");
-  expect_refused(segment({scene}), 1, {"a: is a link", "out of the output folder"});
+  expect_refused(segment({scene}), 1, {"a: is a symbolic link", "outside the output folder"});
   EXPECT_EQ(files_below(folder.path() / "elsewhere"), Texts{});
 }
 

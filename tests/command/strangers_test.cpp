@@ -119,7 +119,7 @@ TEST_F(Strangers, TooLittleMemoryIsToldWithTheFile) {
   for (int i = 0; i < 20'000'000; ++i) numbers += ",0";
   const fs::path result = folder.write("r.json", numbers + "]");
   expect_refused(run_gestalt({"info", result}, {.memory = std::size_t{400} << 20}), 3,
-                 {"r.json: its 40000003 bytes take more memory than this process may have", "allow it more"});
+                 {"r.json: its 40000003 bytes take more memory than this process may use", "raise its memory limit"});
 }
 #endif
 

@@ -55,10 +55,9 @@ TEST_F(Writers, FilesOfAnotherRunAreTold) {
   expect_success(run_gestalt({"info", result}));
   fs::copy_file(at_scene / "objects.png", labels, fs::copy_options::overwrite_existing);
 
-  expect_refused(run_gestalt(evaluate), 3,
-                 {"labels.png: does not belong to the result.json", "segment the scene again"});
+  expect_refused(run_gestalt(evaluate), 3, {"labels.png: does not match the result.json", "segment the scene again"});
   const std::string told =
-      "result.json: does not belong to what lies beside it, of another run or changed since: labels.png;";
+      "result.json: does not match the files beside it, which come from another run or were changed since: labels.png;";
   for (const Texts& reader : {Texts{"info", result},
                               {"export", result, "--output", mesh},
                               {"inspect", result, "--output", folder.path() / "page.html"}}) {
@@ -69,10 +68,10 @@ TEST_F(Writers, FilesOfAnotherRunAreTold) {
   EXPECT_EQ(json::parse(run_gestalt({"info", result, "--json"}).out).at("foreign_files"), json{"labels.png"});
 
   const Outcome again = segment({"--resume"});
-  EXPECT_EQ(occurrences("is there already", again.out), 0) << again.out;
+  EXPECT_EQ(occurrences("already done, skipped", again.out), 0) << again.out;
   expect_success(again);
   expect_whole();
-  EXPECT_EQ(occurrences("is there already", segment({"--resume"}).out), 1);
+  EXPECT_EQ(occurrences("already done, skipped", segment({"--resume"}).out), 1);
 
   fs::copy_file(at_scene / "objects.png", labels, fs::copy_options::overwrite_existing);
   fs::remove(result);  // as the message says

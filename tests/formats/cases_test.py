@@ -184,13 +184,13 @@ CASES = [
     # Units
     Case("millimetres", scene()),
     Case("65535 for no measurement", scene(numpy.where(mm == 0, numpy.uint16(65535), mm))),
-    Case("floats in millimetres, npz", npz(depth=mm.astype("f4"), rgb=right_of, K=K), "no such sensor measures", True, r"--unit mm"),
-    Case("a cloud in millimetres, PCD", pcd(scale=1000), "no such sensor measures", True, r"--unit mm"),
-    Case("a cloud in millimetres, PLY", ply(points * 1000), "no such sensor measures", True, r"--unit mm"),
+    Case("floats in millimetres, npz", npz(depth=mm.astype("f4"), rgb=right_of, K=K), "outside the range of depth sensors", True, r"--unit mm"),
+    Case("a cloud in millimetres, PCD", pcd(scale=1000), "outside the range of depth sensors", True, r"--unit mm"),
+    Case("a cloud in millimetres, PLY", ply(points * 1000), "outside the range of depth sensors", True, r"--unit mm"),
     Case("0.1 mm", scene(mm * numpy.uint16(10)), "--unit 0.1mm", False, r"--unit 0\.1mm"),
     Case("0.25 mm (L515)", scene(quarters), "--unit", False, r"--unit 0\.25mm"),
     Case("0.2 mm (TUM)", scene(mm * numpy.uint16(5)), "--unit", False, r"--unit 0\.2mm"),
-    Case("whole metres", scene(numpy.round(metres).astype("u2")), "whole metres", True, write_metres),
+    Case("rounded to metres", scene(numpy.round(metres).astype("u2")), "rounded to metres", True, write_metres),
     Case("depth scaled to its type", scene((mm * (65535 / mm.max())).astype("u2")), "warning"),
     Case("SUN RGB-D's bits", scene(mm << 3 | mm >> 13), "rotated", True, r"--depth-kind rotated"),
     # Whether it is that, depth_plausibility_test.cpp asks of planes.
@@ -280,9 +280,9 @@ CASES = [
     Case("a picture of depth", scene((mm >> 4).astype("u1")), "not a picture of it", True, lambda folder: scene()(folder)),
     Case("depth as JPEG", scene((mm >> 4).astype("u1"), depth_name="depth.jpg"), "16-bit PNG", True,
          lambda folder: ((folder / "scene" / "depth.jpg").unlink(), scene()(folder))),
-    # Labels, which segment does without
+    # Labels, which segment does not need
     Case("labels of any kind", scene(more={"label.png": (u % 300).astype("u2")})),
-    Case("labels that are damaged", scene(more={"label.png": "no image"}), "counts as without ground truth"),
+    Case("labels that are damaged", scene(more={"label.png": "no image"}), "treated as having no ground truth"),
 ]
 
 

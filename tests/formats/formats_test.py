@@ -122,7 +122,7 @@ class Npz(FormatsTest):
     def test_labels_that_cannot_be_read_are_told_and_left_out(self):
         file = self.work / "labelled.npz"
         for text, wrong in (
-            ("array 'label' has a label outside of 0 to 65535", label.astype(int) - 1),
+            ("array 'label' has a label outside 0 to 65535", label.astype(int) - 1),
             ("array 'label' must be of integers and have the shape (480, 640)", label[1:]),
             ("array 'label' must be of integers and have the shape (480, 640)", label.astype(float)),
         ):
@@ -161,14 +161,14 @@ class Npz(FormatsTest):
         self.refused("damaged.npz", "more than 2^30 bytes", words=("info", file))
         with zipfile.ZipFile(file, "w", zipfile.ZIP_BZIP2) as archive:
             archive.writestr("depth.npy", short.getvalue())
-        self.refused("damaged.npz", "packed as numpy does not", words=("info", file))
+        self.refused("damaged.npz", "compressed in a way that numpy does not use", words=("info", file))
         numpy.savez_compressed(file, depth=depth, K=K)
         claim = bytearray(file.read_bytes())  # a few bytes that say they become a gigabyte
         for signature, field in ((b"PK\x03\x04", 22), (b"PK\x01\x02", 24)):
             at = claim.index(signature) + field
             claim[at:at + 4] = (2**30 - 1).to_bytes(4, "little")
         file.write_bytes(claim)
-        self.refused("damaged.npz", "array 'depth'", "more bytes than its packed ones can be", words=("info", file))
+        self.refused("damaged.npz", "array 'depth'", "more bytes than its compressed data can hold", words=("info", file))
 
 
 class Ply(FormatsTest):
@@ -219,7 +219,7 @@ class Ply(FormatsTest):
             ("the number of vertices must be from 1 to 2^26", head.replace(f"vertex {len(vertices)}", "vertex 99999999999")),
             ("the number of vertices must be from 1 to 2^26", head.replace(f"vertex {len(vertices)}", "vertex -1")),
             ("has no field 'x'", head.replace("float x", "float a")),
-            ("stands here a second time", head.replace("float y", "float x")),
+            ("appears twice", head.replace("float y", "float x")),
             ("must be 'property TYPE NAME'", head.replace("property float z", "property list uchar int z")),
             ("ends within vertex", head.replace(f"vertex {len(vertices)}", f"vertex {len(vertices) + 1}")),
             ("must be a colour from 0 to 1", head.replace("uchar red", "char red")),
@@ -227,7 +227,7 @@ class Ply(FormatsTest):
             ("the PLY header breaks off here", head[:100]),
             ("'vertex'", "ply\nformat ascii 1.0\nend_header\n"),
             ("wrong.ply:1: a PLY file begins with 'ply', not 'plyx'", head.replace("ply", "plyx", 1)),
-            ("ends within what stands before the vertices", head.replace("element vertex", "element a 9999999\nproperty int b\nelement vertex")),
+            ("ends within the elements before the vertices", head.replace("element vertex", "element a 9999999\nproperty int b\nelement vertex")),
         ):
             with self.subTest(text):
                 file.write_bytes(damaged.encode() + (body if "end_header" in damaged else b""))
@@ -281,7 +281,7 @@ class Tum(FormatsTest):
             ("rgb.txt", "noon rgb/100.000.png\n", "rgb.txt:1: expected 'timestamp filename'"),
             ("depth.txt", "# a\n100.0\n", "depth.txt:2: expected 'timestamp filename'"),
             ("depth.txt", "nan depth/100.030.png\n", "depth.txt:1: expected 'timestamp filename'"),
-            ("depth.txt", "# nothing\n", "depth.txt: names no image"),
+            ("depth.txt", "# nothing\n", "depth.txt: names no images"),
             ("depth.txt", "200.0 depth/100.030.png\n", "no colour image is within 0.02 s"),
             ("depth.txt", "100.03 depth/none.png\n", "none.png: does not exist"),
             ("rgb.txt", None, "rgb.txt: does not exist"),
@@ -320,7 +320,7 @@ class Bop(FormatsTest):
         file = scene / "scene_camera.json"
         for text, told in (
             ("{", "scene_camera.json:1:2: is not valid JSON"),
-            ("[]", "scene_camera.json: is not a map"),
+            ("[]", "scene_camera.json: is not a JSON map"),
             ('{"../7": {}}', "is not the number of an image"),
             ('{"7": {}}', "7: cam_K must be a list of 9 numbers"),
             ('{"7": 3}', "7: cam_K must be a list of 9 numbers"),
@@ -344,7 +344,7 @@ class Bop(FormatsTest):
         words = ("convert", scene, "--output", self.work / "out")
         camera = self.work / "camera.yaml"
         camera.write_text("width: 320\nheight: 200\nfx: 262\nfy: 262\ncx: 160\ncy: 100\n")
-        self.refused("camera.yaml: is made for 320x200 images", "depth/000007.png is 640x480", words=(*words, "--camera", camera))
+        self.refused("camera.yaml: is for 320x200 images", "depth/000007.png is 640x480", words=(*words, "--camera", camera))
         cv2.imwrite(str(scene / "depth" / "000007.png"), depth * 0)
         self.refused("depth/000007.png: no pixel has a measurement", words=words)
         (scene / "rgb" / "000007.png").unlink()
@@ -446,7 +446,7 @@ class Ocid(FormatsTest):
         (folder / "label" / "result_1.png").unlink()
         self.refused("label/result_1.png: does not exist", words=words)
         shutil.rmtree(folder / "depth")
-        self.refused("holds no folder with depth, rgb and label", words=("convert", folder, "--from", "ocid", *words[2:]))
+        self.refused("contains no folder with depth, rgb and label", words=("convert", folder, "--from", "ocid", *words[2:]))
 
 
 class CameraInfo(FormatsTest):
@@ -587,9 +587,9 @@ class Units(FormatsTest):
         self.expect_right(self.scene(depth * 10), "--unit", "0.1mm")
 
     def test_whole_metres_and_pictures_are_refused(self):
-        self.refused("whole metres", "numpy.uint16(1000 * depth)", words=("info", self.scene(numpy.ceil(depth / 1000))))
+        self.refused("rounded to metres", "numpy.uint16(1000 * depth)", words=("info", self.scene(numpy.ceil(depth / 1000))))
         self.refused("8-bit picture", words=("info", self.scene(depth // 8 * 257)))
-        self.assertIn("scaled to 16 bits", self.range_of(self.scene(depth / depth.max() * 65535))[1][0])
+        self.assertIn("scaled to the 16-bit range", self.range_of(self.scene(depth / depth.max() * 65535))[1][0])
 
     def test_rotated_bits_are_turned_back(self):
         scene = self.scene(depth.astype(int) << 3 | depth >> 13)
@@ -702,7 +702,7 @@ class Convert(FormatsTest):
         self.refused("give --from", words=("convert", self.work, "--output", self.work / "out"))
 
     def test_nothing_is_converted_to_itself(self):
-        self.refused("would be converted to", words=("convert", DEMO, "--output", self.work / "out"))
+        self.refused("already has the layout of --to", words=("convert", DEMO, "--output", self.work / "out"))
 
 
 if __name__ == "__main__":

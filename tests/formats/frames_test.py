@@ -228,7 +228,7 @@ class Depth(FramesTest):
         picture = (depth >> 4).astype(numpy.uint8)
         for name, image in (("depth.tif", picture), ("depth.pgm", picture), ("depth.tif", rgb), ("depth.ppm", rgb)):
             self.refused(name, "depth must be 16-bit grey", words=("info", self.scene(depth_name=name, depth_image=image)))
-        self.refused("depth.jpg", "changes numbers", words=("info", self.scene(depth_name="depth.jpg", depth_image=picture)))
+        self.refused("depth.jpg", "alters depth values", words=("info", self.scene(depth_name="depth.jpg", depth_image=picture)))
 
     def test_where_it_is_missing_is_told_with_what_is_there(self):
         scene = self.scene(depth_name=None, colour_name="rgb.jpg")
@@ -359,7 +359,7 @@ class Layouts(FramesTest):
             self.expect_read(folder, "--from", "frame")
             self.expect_read(folder)
         (folder / "associations.txt").write_text("1 a.png 2 b.png\n")
-        self.refused("associations.txt:1: which of the two is the depth image?", words=("info", folder))
+        self.refused("associations.txt:1: which of the two is the depth image;", words=("info", folder))
 
     def test_a_sequence_like_tums_with_its_own_camera(self):
         folder = self.recording("depth/8.png", "rgb/7.png", "camera.yaml", CAMERA + "depth_scale: 0.001\n")
@@ -403,9 +403,9 @@ class Layouts(FramesTest):
 
     def test_a_folder_without_scenes_tells_what_it_has(self):
         (self.work / "empty").mkdir()
-        self.refused("holds no scene (nothing is there)", words=("info", self.work / "empty"))
+        self.refused("contains no scene (nothing is there)", words=("info", self.work / "empty"))
         (self.work / "empty" / "notes.txt").write_text("")
-        self.refused("holds no scene (notes.txt is there)", words=("info", self.work / "empty"))
+        self.refused("contains no scene (notes.txt is there)", words=("info", self.work / "empty"))
 
 
 class OneLine(FramesTest):
@@ -441,7 +441,7 @@ class OneLine(FramesTest):
         colour, image = write(self.work / "c.jpg", rgb), write(self.work / "d.png", depth)
         self.refused("c.jpg: no depth image", "--depth FILE --rgb", words=("segment", colour, "--output", self.work / "out"))
         self.assertIn("is required", self.run_gestalt("segment", exit_code=2))
-        self.assertIn("no other input", self.run_gestalt("segment", image, "--depth", image, exit_code=2))
+        self.assertIn("remove the other inputs", self.run_gestalt("segment", image, "--depth", image, exit_code=2))
         self.run_gestalt("segment", "--rgb", colour, exit_code=2)
 
     def test_the_picture_shows_colour_beside_depth(self):
@@ -487,7 +487,7 @@ class Sizes(FramesTest):
 
     def test_taking_the_colour_away_helps_too(self):
         scene = self.scene(colour=rgb[:300])
-        self.refused("take the colour image away", words=("info", scene))
+        self.refused("remove the colour image", words=("info", scene))
         (scene / "rgb.png").unlink()
         self.expect_read(scene, "--from", "scene", colour=None)
 
@@ -520,7 +520,7 @@ class DepthOnly(FramesTest):
         other = json.loads((self.work / "out" / DEMO.name / "result.json").read_text())
         self.assertNotIn("depth_only.json", json.dumps(other["config"]))
         self.assertEqual(other["notes"], [])
-        self.assertIn("is there already", self.run_gestalt("segment", scene, "--resume", "--output", self.work / "out"))
+        self.assertIn("already done, skipped", self.run_gestalt("segment", scene, "--resume", "--output", self.work / "out"))
 
     def test_who_asks_for_a_config_gets_it(self):
         scene = self.scene(colour_name=None)

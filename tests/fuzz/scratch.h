@@ -36,7 +36,7 @@ inline std::string_view text_of(const std::uint8_t* data, std::size_t size) {
 /// The input as several files: what lies between bytes of 0xff, which are in no text. The last one takes the rest.
 std::vector<std::string_view> parts_of(std::string_view input, std::size_t count);
 
-/// What is wrong with an input is told by an Error; anything else that is thrown ends the process, as a find.
+/// What is wrong with an input is reported by an Error; anything else that is thrown ends the process, as a find.
 template <class Read>
 int expect_result_or_error(const Read& read) {
   try {

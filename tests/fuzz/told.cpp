@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// A plugin that has the manifest that it is told to have.
+// A plugin that has the manifest that it is asked to have.
 
 #include "gestalt/core/plugin/manifest.h"
 

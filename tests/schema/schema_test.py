@@ -58,7 +58,7 @@ WRONG = {
     "a list for a section": COMPLETE.replace("{solver: graph_cut}", "[graph_cut]"),
     "a list for a component": COMPLETE.replace("solver: graph_cut", "solver: [graph_cut]"),
     "a word for a list": COMPLETE.replace("[plane]", "plane"),
-    "a switched component that is no list's": COMPLETE.replace("clusterer: normals", "clusterer: off"),
+    "a switched component that is not of a list": COMPLETE.replace("clusterer: normals", "clusterer: off"),
     "an unknown plugin": COMPLETE.replace("normals", "norm_als"),
     "a plugin of another kind": COMPLETE.replace("normals", "gabor"),
     "an unknown plugin in a list": COMPLETE.replace("[gabor]", "[gabr]"),

@@ -93,7 +93,7 @@ class Sdk:
             expect("no_such_scene", run(program, "no_such_scene", exit_code=1))
 
     def flags(self):
-        """A plugin built with flags that change the layout of types is told apart before any of its code runs; one that
+        """A plugin built with flags that change the layout of types is rejected before any of its code runs; one that
         is built for debugging works."""
         with tempfile.TemporaryDirectory() as work:
             project = pathlib.Path(work) / "project"

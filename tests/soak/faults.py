@@ -51,7 +51,7 @@ def full_disk(scratch, times, count):
 
 
 def unwritable(scratch, times, count):
-    """Outputs where nothing can be written, whoever runs this."""
+    """Outputs where nothing can be written, for any user."""
     scenes, _, _ = prepared(scratch, count)
     tally = Tally("outputs that cannot be written: /proc, below a file, a device")
     file = scratch / "file"
@@ -67,7 +67,7 @@ def unwritable(scratch, times, count):
 
 def vanishing_output(scratch, times, count):
     scenes, reference, duration = prepared(scratch, count)
-    tally = Tally("the output folder is taken away during the run")
+    tally = Tally("the output folder is removed during the run")
     chance = random.Random(6)
     for _ in range(times):
         out, away = scratch / "out", scratch / "away"

@@ -60,6 +60,6 @@ std::unique_ptr<gestalt::Predictor> MyComponent::restore(const nlohmann::json& s
   std::vector<double> weights = gestalt::numbers_field(state, "weights");
   if (weights.size() != columns)
     throw gestalt::ModelError("it has " + std::to_string(weights.size()) + " weights for " + std::to_string(columns) +
-                              " values; train the model again");
+                              " values; retrain the model");
   return std::make_unique<MyComponentPredictor>(std::move(weights), gestalt::number_field(state, "bias"));
 }
