@@ -44,7 +44,7 @@ def page_names():
 
 
 def relink(text, page, names):
-    """The text of a page with its links to other pages as they are in the site. A link to a file that is no page is its
+    """The text of a page with its links to other pages as they are in the site. A link to a file that is not a page is its
     words alone; one to nothing is an error."""
 
     def replace(match):
@@ -52,8 +52,6 @@ def relink(text, page, names):
         path = os.path.normpath(os.path.join(os.path.dirname(page), target))
         if path in names and not (path == "README.md" and anchor):  # the site's first page has other sections
             return f"[{words}]({os.path.relpath(names[path], os.path.dirname(names[page]) or '.')}{anchor})"
-        if path.startswith(("docs/reference", "docs/pictures", "docs/api")):
-            return match.group(0)  # made below
         if (ROOT / path).exists():
             return words
         raise SystemExit(f"{page}: the link to '{target}' leads nowhere")
@@ -61,6 +59,12 @@ def relink(text, page, names):
     parts = re.split(r"(^```.*?^```$)", text, flags=re.M | re.S)
     link = r"(?<!!)\[([^\]]*)\]\((?![a-z]+:|#)([^)#\s]+)(#[^)]*)?\)"
     return "".join(part if part.startswith("```") else re.sub(link, replace, part) for part in parts)
+
+
+def with_made_pictures(text):
+    """The text of a page with the pictures that are made below in place of their copies in the sources."""
+    text = re.sub(r"images/pages/(\w+)\.jpg", r"pictures/\1.png", text)
+    return re.sub(r"images/pages/(\w+)\.svg", r"pictures/\1.svg", text)
 
 
 def write(file, text):
@@ -81,10 +85,10 @@ def gather(gestalt, source):
     names = page_names()
     for page, name in names.items():
         if page != "README.md":
-            write(source / name, relink((ROOT / page).read_text(), page, names))
+            write(source / name, with_made_pictures(relink((ROOT / page).read_text(), page, names)))
     for picture in ROOT.glob("docs/*.svg"):
         shutil.copy(picture, source)
-    shutil.copytree(ROOT / "docs" / "images", source / "images")
+    shutil.copytree(ROOT / "docs" / "images", source / "images", ignore=shutil.ignore_patterns("pages"))
     found = pictures.make(gestalt, ROOT / "examples" / "demo_scene", source / "pictures")
     shutil.rmtree(source / "pictures" / "work")
 
@@ -122,7 +126,7 @@ def main():
     source.mkdir(parents=True)
     gather(gestalt, source)
     run_doxygen(gestalt, source)
-    # All pages anew: what was built of another state may hide a warning.
+    # Rebuild all pages: a page of an earlier build may hide a warning.
     sphinx = [sys.executable, "-m", "sphinx", "-q", "-W", "--keep-going", "-n", "-E", "-a", "-j", "auto", "-b", "html"]
     built = subprocess.run([*sphinx, "-d", output / "doctrees", source, output / "site"], check=False)
     return built.returncode

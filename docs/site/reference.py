@@ -185,7 +185,7 @@ def config_page(command):
     schema = command.json("config", "schema")
     return (
         "# Keys of a config\n\nEvery key that a config may have, made of the schema that `gestalt config schema` prints. "
-        "How files merge, and how components are written, is told in [Configs](../config.md).\n\n"
+        "[Configs](../config.md) explains how files merge and how components are written.\n\n"
         + "\n".join(key_sections(schema))
     )
 

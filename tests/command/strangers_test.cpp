@@ -34,7 +34,7 @@ TEST_F(Strangers, JsonThatIsDeepIsRefused) {
   const fs::path result = folder.write(
       "r.json", R"({"format":"gestalt-result","version":2,"segments":[],"patches":[],"camera":)" + deep + "}");
   folder.write("bop/scene_camera.json", R"({"0":{"cam_K":)" + deep + "}}");
-  const std::string why = "more than 200 levels of lists";
+  const std::string why = "more than 200 nested levels";
   expect_refused(segment(model), 2, {"m.json: levels.other[0]", why});
   expect_refused(run_gestalt({"info", model}), 3, {"m.json: levels.other", why});
   expect_refused(run_gestalt({"info", result}), 3, {"r.json: camera[0]", why});
