@@ -16,6 +16,7 @@
 #include "gestalt/io/result/parametric_surface.h"
 #include "gestalt/io/result/result.h"
 #include "gestalt/io/result/result_file.h"
+#include "gestalt/io/result/segment_colours.h"
 #include "scene_images.h"
 
 namespace gestalt {
@@ -190,6 +191,16 @@ void add_lines(json& content, const Scene& scene) {
   content["closures"] = std::move(closures);
 }
 
+/// The colours of overlay.png, by label - 1, [red, green, blue]; null for background.
+json colours_of(const Segmentation& segmentation) {
+  const std::vector<cv::Vec3b> colours = segment_colours(segmentation);
+  json told = json::array();
+  for (std::size_t i = 0; i < colours.size(); ++i)
+    told.push_back(segmentation.segments[i].role == Role::object ? json{colours[i][2], colours[i][1], colours[i][0]}
+                                                                 : json());
+  return told;
+}
+
 json solver_of(const Config& config, const Cuts& cuts) {
   json told = json::array(), sweeps = json::array();
   for (const Cut& cut : cuts.cuts) {
@@ -246,6 +257,7 @@ json inspect_scene(const json& stored, const Input& input, const Segmenter& segm
                {"mesh_unit", mesh_unit},
                {"levels", std::move(levels)},
                {"edges", edges_of(segmentation.graph, shown, percept, models, objects)},
+               {"colours", colours_of(segmentation)},
                {"edges_left_out", segmentation.graph.edges.size() - shown.size()},
                {"solver", solver_of(config, sweep_solver(config, registry, percept, models))}};
   add_lines(content, *percept.scene);

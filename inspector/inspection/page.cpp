@@ -20,7 +20,7 @@ std::string read_template() {
   std::ifstream in(file, std::ios::binary);
   std::string text{std::istreambuf_iterator<char>(in), {}};
   if (!in || text.find(place_of_scenes) == std::string::npos)
-    throw ConfigError(file.string() + ": does not exist or is not a page of the Inspector; repair the installation");
+    throw ConfigError(file.string() + ": does not exist or is not a page of the Inspector; reinstall Gestalt");
   return text;
 }
 

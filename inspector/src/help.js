@@ -5,8 +5,8 @@ import { element } from "./dom.js";
 
 const sections = {
   Mouse: [
-    ["point", "relation values of an edge; facts and edges of a patch"],
-    ["click", "pin it; then point at another patch to see what relates the two"],
+    ["point", "show the relation values of an edge, or the details and edges of a patch"],
+    ["click", "pin it; then point at another patch to see how the two are related"],
     ["drag, wheel", "move and zoom; in 3D orbit (right button: move)"],
     ["double click", "fit the scene into the view"],
   ],
@@ -14,8 +14,8 @@ const sections = {
     ["1 – 9", "show or hide a layer; with Shift only this layer"],
     ["↑ ↓", "next edge of the list; in 3D, once it is clicked, orbit"],
     ["[ ]", "next value of the solver's parameter where the cut changes"],
-    ["\\", "the parameter as it was"],
-    ["v", "layers or 3D"],
+    ["\\", "reset the parameter"],
+    ["v", "switch between layers and 3D"],
     ["+ − 0", "zoom, fit"],
     ["n p", "next, previous scene"],
     ["t", "light, dark"],
@@ -25,9 +25,9 @@ const sections = {
 };
 
 const contribution =
-  "A value's contribution is p, less the mean of the p that the pair would have were this one value anything of its " +
-  "range in training and all others as they are (five values, evenly over the range). Positive speaks for one " +
-  "object. Values act together, so that contributions need not add up to p.";
+  "A value's contribution is p minus the mean p over five values of this one relation value, evenly spaced over its " +
+  "training range, with all other values unchanged. A positive contribution supports one object. Values interact, so " +
+  "contributions need not add up to p.";
 
 export const make_help = () => {
   const dialog = element(
@@ -49,7 +49,7 @@ export const make_help = () => {
     element(
       "p",
       {},
-      "Each cut was made by the solver itself when this page was written, for the values that the slider stops at.",
+      "The solver itself computed each cut when this page was written, for the values at which the slider stops.",
     ),
     element("form", { method: "dialog" }, element("button", { class: "primary" }, "Close")),
   );

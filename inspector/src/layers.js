@@ -11,7 +11,7 @@ export const layers = [
   { id: "lines", name: "Lines", text: "straight boundaries of the patches", vector: true },
   { id: "closures", name: "Closures", text: "closed convex contours over lines of several patches", vector: true },
   { id: "graph", name: "Graph", text: "edges between patches, with p(same object)", vector: true },
-  { id: "segments", name: "Segments", text: "how the solver cuts the graph; background is grey" },
+  { id: "segments", name: "Segments", text: "how the solver cuts the graph; background is clear" },
   { id: "truth", name: "Ground truth", text: "the labelled objects; background is grey" },
 ];
 

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The page: what is shown (state), and who is told when it changes.
+// The page: what is shown (state), and what is updated when it changes.
 
 import { element, once_a_frame } from "./dom.js";
 import { make_edge_list } from "./edge_list.js";
@@ -12,6 +12,7 @@ import { edge_filters } from "./overlay.js";
 import { make_rasters } from "./raster.js";
 import { tell_edge, tell_patch } from "./relations.js";
 import { object_name, read_scene, scene_names } from "./scene.js";
+import { make_object_list } from "./object_list.js";
 import { make_solver } from "./solver.js";
 import { make_stage } from "./stage.js";
 import { make_view3d } from "./view3d.js";
@@ -93,6 +94,11 @@ const panel = element("section", { class: "panel", "aria-label": "Pinned patch o
 const edge_list = make_edge_list((edge) => {
   state.hovered = null;
   pin({ edge });
+});
+const object_list = make_object_list((patch) => {
+  state.hovered = null;
+  state.pinned = null;
+  pin({ patch });
 });
 const layer_list = make_layer_list(state, () => draw());
 const solver = make_solver((cut) => {
@@ -181,7 +187,7 @@ document
     ),
     element("aside", { class: "left", "aria-label": "Layers and solver" }, layer_list.root, tools3d, solver.root),
     element("main", {}, notes, element("div", { class: "stage" }, stage.root, canvas3d, message, tooltip), status),
-    element("aside", { class: "right", "aria-label": "Relations" }, panel, edge_list.root),
+    element("aside", { class: "right", "aria-label": "Objects and relations" }, object_list.root, panel, edge_list.root),
     help,
   );
 
@@ -210,6 +216,7 @@ const paint = () => {
     stage.draw(state, cut, state.visible.graph ? shown_edges() : [], marked());
   } else view3d?.draw(state, cut, shown_edges(), marked(), background());
   layer_list.show(scene);
+  object_list.show(scene, cut);
 };
 const draw = once_a_frame(() => {
   paint();
@@ -239,7 +246,7 @@ const tell_pointer = () => {
 const hint = () =>
   pinned_patch() === null
     ? "Point at a patch or an edge; a click pins it."
-    : `Patch ${pinned_patch()} is pinned: point at another patch to see what relates the two.`;
+    : `Patch ${pinned_patch()} is pinned: point at another patch to see how the two are related.`;
 
 const status_of = ({ patch, point, u, v }, cut) => {
   const truth = scene.truth && object_name(scene.truth[v * scene.columns + u]);
@@ -266,7 +273,7 @@ const tell_pinned = () => {
           element(
             "p",
             { class: "empty" },
-            "Nothing is pinned. Click a patch or an edge, or take an edge from the list (↑ ↓).",
+            "Nothing is pinned. Click an object, a patch or an edge, or choose an edge in the list (↑ ↓).",
           ),
         ]
       : [
@@ -323,9 +330,11 @@ const open_in_3d = () => {
 
 const tell_facts = () => {
   const { patches, edges, edges_left_out: left_out } = scene;
+  const { objects } = scene.cuts[0];
   const wrong = edges.filter((edge) => edge.error > 0.5).length;
   const texts = [
-    `${patches.length} patches`,
+    `${objects} ${objects === 1 ? "object" : "objects"}`,
+    `${patches.length} ${patches.length === 1 ? "patch" : "patches"}`,
     `${(edges.length + left_out).toLocaleString("en")} edges`,
     scene.truth ? `${wrong} ${wrong === 1 ? "edge" : "edges"} wrong` : "no ground truth",
     `${scene.width} × ${scene.height}`,
@@ -412,5 +421,6 @@ document.addEventListener("keydown", (event) => {
   event.preventDefault();
 });
 
+new ResizeObserver(() => draw()).observe(canvas3d);
 set_view("layers");
 open(0);

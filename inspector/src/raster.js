@@ -49,9 +49,10 @@ const paint_segments = (scene, canvas, cut) => {
   const palette = new Uint32Array(scene.patches.length + 1);
   cut.labels.forEach((label, patch) => {
     const segment = cut.segments[label];
-    palette[patch + 1] = segment ? packed(segment.background ? grey : segment.colour) : 0;
+    palette[patch + 1] = segment && !segment.background ? packed(segment.colour) : 0;
   });
-  const labels = [0, ...cut.labels];
+  // As in overlay.png, only objects are outlined.
+  const labels = [0, ...cut.labels.map((label) => (cut.segments[label]?.background ? 0 : label))];
   paint(canvas, scene.patch_of, palette, (pixels) => {
     for (let i = 0; i < scene.borders.length; i += 3)
       if (labels[scene.borders[i + 1]] !== labels[scene.borders[i + 2]]) pixels[scene.borders[i]] = outline;

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// What is told of patches and edges, in the panel and beside the pointer.
+// Details of patches and edges, in the panel and beside the pointer.
 
 import { clamp, element } from "./dom.js";
 import { css } from "./colours.js";
@@ -94,7 +94,7 @@ export const values_table = (scene, edge) => {
         ),
         element(
           "th",
-          { scope: "col", title: "p, less the mean of p were this value any other: docs/inspector.md" },
+          { scope: "col", title: "p minus the mean of p over other values: docs/inspector.md" },
           "Contribution",
         ),
         element("th", {}),
@@ -107,7 +107,12 @@ export const values_table = (scene, edge) => {
         element(
           "tr",
           { title: `${values[i].relation}: ${values[i].text}` },
-          element("th", { scope: "row" }, values[i].name),
+          element(
+            "th",
+            { scope: "row" },
+            values[i].name,
+            element("span", { class: "dim relation-name" }, values[i].relation.replaceAll("_", " ")),
+          ),
           element("td", { class: "number" }, number_text(edge.values[i])),
           element("td", {}, range_track(edge.values[i], values[i].trained)),
           element("td", {}, contribution_bar(edge.contributions[i], largest)),
@@ -173,7 +178,11 @@ export const tell_patch = (scene, cut, patch, { point = null, edges = 6, choose 
     element(
       "div",
       { class: "edges-of" },
-      element("div", { class: "dim" }, touching.length ? `${touching.length} edges, the likeliest first` : "No edges."),
+      element("div", { class: "dim" }, !touching.length
+          ? "No edges."
+          : edges
+            ? `${touching.length} ${touching.length === 1 ? "edge" : "edges"}, the likeliest first`
+            : `${touching.length} ${touching.length === 1 ? "edge" : "edges"}, in the list below`),
       touching.slice(0, edges).map((edge) => edge_row(scene, cut, edge, patch, choose)),
     ),
   ];

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// The data of a scene, as the page's script elements have it (README.md), made ready to be drawn.
+// The data of a scene, as the page's script elements have it (README.md), prepared for drawing.
 
 import { colour_of } from "./colours.js";
 
@@ -40,13 +40,14 @@ const read_edge = ([a, b, level, p, truth, values, contributions], index) => ({
 });
 
 /// A colour for each patch, for a segment of which it is the largest: segments then keep their colours while the slider
-/// moves. Those of the config's cut come first, as the first colours differ most.
-const family_colours = ({ labels }, patches) => {
+/// moves. Those of the config's cut are given, as in overlay.png.
+const family_colours = ({ labels }, patches, given) => {
   const by_size = patches.map((_, i) => i).sort((x, y) => patches[y].pixels - patches[x].pixels || x - y);
   const seen = new Set();
   const heads = by_size.filter((patch) => !seen.has(labels[patch]) && seen.add(labels[patch]));
   const colours = [];
   [...new Set([...heads, ...by_size])].forEach((patch, rank) => (colours[patch] = colour_of(rank)));
+  for (const patch of heads) colours[patch] = given[labels[patch] - 1] ?? colours[patch];
   return colours;
 };
 
@@ -128,7 +129,7 @@ export const read_scene = async (index) => {
     rows: normals.height,
     edges: data.edges.map(read_edge),
   };
-  const colours = family_colours(data.solver.cuts[0], data.patches);
+  const colours = family_colours(data.solver.cuts[0], data.patches, data.colours);
   scene.cuts = data.solver.cuts.map((cut) => read_cut(cut, data.patches, colours));
   scene.borders = borders_of(patch_of, scene.columns);
   scene.edges_of = data.patches.map(() => []);

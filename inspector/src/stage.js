@@ -142,7 +142,7 @@ export const make_stage = (on) => {
   const go_on = (drawing) => {
     if (!drawing.next().done) later = requestAnimationFrame(() => go_on(drawing));
   };
-  /// The layers of lines are drawn anew when something in them has changed; what is slow follows the images later.
+  /// The layers of lines are redrawn when something in them has changed; what is slow follows the images later.
   const show_overlay = (state, cut) => {
     const shown = ["closures", "lines", "graph"].map((id) => state.visible[id] && state.opacity[id]);
     const key = [

@@ -167,10 +167,11 @@ const expect_edge = (text, [a, b, level, p, truth, values, contributions]) => {
   const verdict =
     truth === null ? "ground truth does not say" : p >= 0.5 === (truth === 1) ? "p agrees" : "p disagrees";
   assert(text.includes(verdict), text);
-  const shown = [...text.matchAll(/^(r_\S+)\s+(\S+)\s+([+−]?[\d.]+)$/gm)];
+  const shown = [...text.matchAll(/^(r_\S+)\n([^\t\n]+)\s+(\S+)\s+([+−]?[\d.]+)$/gm)];
   assert.equal(shown.length, values.length, text);
-  for (const [, name, value, part] of shown) {
+  for (const [, name, relation, value, part] of shown) {
     const i = scene.levels[level].values.findIndex((one) => one.name === name);
+    assert.equal(relation, scene.levels[level].values[i].relation.replaceAll("_", " "));
     assert(
       Math.abs(number_of(value) - values[i]) <= 0.06 * Math.abs(values[i]),
       `${name} ${value}`,
@@ -199,7 +200,7 @@ test("pointing at an edge tells its relation values, contributions, p and ground
     assert(told > structural.length / 2, `${told} of ${structural.length}`);
   }));
 
-test("a pinned patch and one that is pointed at tell what relates the two", () =>
+test("a pinned patch and one that is pointed at show what relates the two", () =>
   on_page(async () => {
     const edge = scene.edges.find(([a, b]) => scene.patches[a].pixels > 300 && scene.patches[b].pixels > 300);
     await press("Shift+Digit1");
@@ -242,6 +243,57 @@ test("the list begins with the wrongest edges, and arrow keys go through it", ()
     await page.getByLabel("Edges in the list").selectOption("assembly");
     const first = scene.edges.find(([, , level]) => level === 1);
     assert.equal((await rows())[0], `${first[0]} – ${first[1]}`);
+  }));
+
+test("the objects are listed, the largest first, in the colours of overlay.png", () =>
+  on_page(async () => {
+    const { labels, background } = scene.solver.cuts[0];
+    const objects = [...new Set(labels)].filter((label) => !background.includes(label));
+    const listed = await page.locator(".object").evaluateAll((rows) =>
+      rows.map((row) => ({
+        label: Number(row.querySelector("b").innerText.replace("Object ", "")),
+        pixels: Number(row.querySelector(".dim").innerText.replace(/ pixel.*|,/g, "")),
+        colour: getComputedStyle(row.querySelector(".swatch")).backgroundColor,
+      })),
+    );
+    assert.deepEqual(listed.map(({ label }) => label).sort(), objects.sort());
+    for (const [i, { label, pixels, colour }] of listed.entries()) {
+      const patches = scene.patches.filter((_, patch) => labels[patch] === label);
+      assert.equal(
+        pixels,
+        patches.reduce((sum, patch) => sum + patch.pixels, 0),
+      );
+      assert(i === 0 || pixels <= listed[i - 1].pixels);
+      assert.equal(colour, `rgb(${scene.colours[label - 1].join(", ")})`);
+    }
+    await page.locator(".object").first().click();
+    assert.match(await text_of(".panel"), new RegExp(`${listed[0].label}, object of`));
+  }));
+
+test("3D keeps its proportions when the window changes", () =>
+  on_page(async () => {
+    await press("v");
+    for (const size of [
+      { width: 1000, height: 700 },
+      { width: 1400, height: 620 },
+    ]) {
+      await page.setViewportSize(size);
+      await settled();
+      const [drawn, shown] = await page
+        .locator(".stage-3d")
+        .evaluate((canvas) => [canvas.width / canvas.height, canvas.clientWidth / canvas.clientHeight]);
+      assert(Math.abs(drawn - shown) < 0.01, `${drawn} instead of ${shown}`);
+    }
+  }));
+
+test("everything fits into a window of 1000 by 700", () =>
+  on_page(async () => {
+    await page.setViewportSize({ width: 1000, height: 700 });
+    await settled();
+    for (const part of ["html", "aside.left", "aside.right", ".edge-list", ".object-list"])
+      assert(await page.locator(part).evaluate((node) => node.scrollWidth <= node.clientWidth), part);
+    for (const part of [".stage-2d", ".object-list", ".edge-list", ".solver"])
+      assert(await page.locator(part).isVisible(), part);
   }));
 
 test("the slider cuts the graph again, as the solver does", () =>
@@ -403,6 +455,9 @@ test("help opens by key and closes", () =>
   on_page(async () => {
     await press("?");
     assert(await page.locator("dialog.help").isVisible());
+    const text = await page.locator("dialog.help").innerText();
+    assert.match(text, /show or hide a layer/);
+    assert.doesNotMatch(text, /\[object/);
     await press("Escape");
     assert(!(await page.locator("dialog.help").isVisible()));
   }));
@@ -437,7 +492,7 @@ test("everything can be reached and has a name", () =>
       assert(reached.has(wanted), `${wanted} not in ${[...reached]}`);
   }));
 
-test("a name from a stranger stays a name", async () => {
+test("an untrusted name stays a name", async () => {
   const name = `<img src=x onerror=alert(1)><!--<script>"'&`;
   const odd = join(folder, "odd", name);
   mkdirSync(join(folder, "odd"), { recursive: true });

@@ -11,7 +11,7 @@ import { crc32, deflateSync } from "node:zlib";
 const needed = (name) => {
   const value = process.env[name];
   if (!value)
-    throw new Error(`${name} is not set; ctest -R inspector sets it, README.md tells how to do without ctest`);
+    throw new Error(`${name} is not set; ctest -R inspector sets it, README.md shows how to run it without ctest`);
   return value;
 };
 

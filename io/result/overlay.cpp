@@ -8,6 +8,7 @@
 
 #include "drawing.h"
 #include "gestalt/io/result/result.h"
+#include "segment_colours.h"
 
 namespace gestalt {
 
@@ -75,6 +76,7 @@ cv::Mat draw_segments(const Frame& frame, const Segmentation& segmentation) {
     const int label = labels(v, u);
     return label > 0 && segmentation.segments[std::size_t(label) - 1].role == Role::object ? label : 0;
   };
+  const std::vector<cv::Vec3b> colours = segment_colours(segmentation);
   const cv::Mat below = backdrop(frame);
   cv::Mat picture(labels.size(), CV_8UC3);
   for (int v = 0; v < labels.rows; ++v)
@@ -86,7 +88,7 @@ cv::Mat draw_segments(const Frame& frame, const Segmentation& segmentation) {
       if (ends(u + 1, v) || ends(u, v + 1) || ends(u + 1, v + 1))
         pixel = {255, 255, 255};
       else if (own > 0)
-        pixel = base * 0.5 + segment_colour(own) * 0.5;
+        pixel = base * 0.5 + colours[std::size_t(own) - 1] * 0.5;
       else
         pixel = labels(v, u) > 0 ? base : cv::Vec3b(base * 0.5);
     }

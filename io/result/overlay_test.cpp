@@ -4,6 +4,7 @@
 #include <gtest/gtest.h>
 
 #include "gestalt/io/result/result.h"
+#include "gestalt/io/result/segment_colours.h"
 #include "gestalt/tests/scenes/test_scenes.h"
 
 namespace gestalt {
@@ -20,13 +21,14 @@ class DrawSegments : public testing::Test {
     segmentation_.labels = cv::Mat_<std::uint16_t>(240, 320, std::uint16_t{1});
     segmentation_.labels(object_) = 2;
     segmentation_.segments = {{{0}, 240 * 320 - 4800, Role::background}, {{1}, 4800, Role::object}};
+    tinted_ = cv::Vec3b(100, 100, 100) * 0.5 + segment_colours(segmentation_)[1] * 0.5;
   }
   cv::Vec3b drawn(int v, int u) const { return draw_segments(frame_, segmentation_).at<cv::Vec3b>(v, u); }
 
   const cv::Rect object_{100, 90, 80, 60};
-  const cv::Vec3b tinted_ = cv::Vec3b(100, 100, 100) * 0.5 + segment_colour(2) * 0.5;
   Frame frame_;
   Segmentation segmentation_;
+  cv::Vec3b tinted_;
 };
 
 TEST_F(DrawSegments, TintsAndOutlinesObjects) {
