@@ -7,6 +7,7 @@
 >>> result.object_labels, result.objects, result.structural["probabilities"]
 """
 
+import inspect
 from typing import NamedTuple
 
 import numpy
@@ -32,7 +33,8 @@ from ._gestalt import (
     train,
 )
 from .components import Classifier, Parameter, Relation, Solver, Value, register
-from .types import DepthKind, LabelScheme, Path
+from .stored import StoredResult
+from .types import CameraLike, DepthKind, LabelScheme, Path
 
 __all__ = [
     "Camera",
@@ -50,6 +52,7 @@ __all__ = [
     "Scene",
     "SceneView",
     "Solver",
+    "StoredResult",
     "TimeError",
     "Value",
     "__version__",
@@ -63,7 +66,7 @@ __all__ = [
 
 
 class Scene(NamedTuple):
-    """A frame with its ground truth, as it was read."""
+    """A frame with its ground truth."""
 
     name: str
     colour: NDArray[numpy.uint8] | None
@@ -77,14 +80,33 @@ class Scene(NamedTuple):
 
 def read_scene(
     path: Path,
-    camera: Camera | None = None,
+    camera: CameraLike | None = None,
     *,
     depth_scale: float | None = None,
     depth_kind: DepthKind | None = None,
     labels: LabelScheme | None = None,
 ) -> Scene:
-    """Reads a scene folder or a cloud; camera replaces the scene's, depth_scale (metres per unit) its unit. depth_kind is
-    "plain", "radial" or "rotated", labels "osd", "objects" or "colours", as --depth-kind and --labels of the command.
-    Warns of what is probably not as it was read. Raises InputError."""
+    """Reads a scene folder or a cloud. camera replaces the scene's camera, depth_scale (metres per unit) its unit of
+    depth. depth_kind is "plain", "radial" or "rotated", labels "osd", "objects" or "colours", as for --depth-kind and
+    --labels of the command. Warns about improbable input. Raises InputError."""
     read = _gestalt.read_scene(path, camera, depth_scale=depth_scale, depth_kind=depth_kind, labels=labels)
     return Scene(*read)
+
+
+def _shown(name: str, kind: inspect._ParameterKind, default: object, annotation: str) -> inspect.Parameter:
+    return inspect.Parameter(name, kind, default=default, annotation=annotation)
+
+
+# What inspect, editors and help() show of a compiled class.
+setattr(  # noqa: B010
+    Segmenter,
+    "__signature__",
+    inspect.Signature(
+        [
+            _shown("config", inspect.Parameter.POSITIONAL_OR_KEYWORD, None, "Path | None"),
+            _shown("overrides", inspect.Parameter.POSITIONAL_OR_KEYWORD, (), "Overrides"),
+            _shown("components", inspect.Parameter.KEYWORD_ONLY, None, "Mapping[str, type[Component]] | None"),
+            _shown("threads", inspect.Parameter.KEYWORD_ONLY, 0, "int"),
+        ]
+    ),
+)

@@ -7,7 +7,7 @@ import numpy
 from numpy.typing import NDArray
 
 from .components import Component
-from .types import DepthKind, LabelScheme, Pairs, Path, Paths, Scores
+from .types import CameraLike, DepthKind, LabelScheme, Overrides, Pairs, Path, Paths, Scores
 
 __version__: str
 
@@ -88,7 +88,7 @@ class Segmenter:
     def __init__(
         self,
         config: Path | None = None,
-        overrides: Sequence[str] = [],
+        overrides: Overrides = (),
         *,
         components: Mapping[str, type[Component]] | None = None,
         threads: int = 0,
@@ -97,7 +97,7 @@ class Segmenter:
         self,
         colour: NDArray[numpy.uint8] | None,
         depth: NDArray[Any],
-        camera: Camera,
+        camera: CameraLike,
         name: str = "frame",
         *,
         depth_scale: float | None = None,
@@ -106,7 +106,7 @@ class Segmenter:
     def segment(
         self,
         scene: Path,
-        camera: Camera | None = None,
+        camera: CameraLike | None = None,
         *,
         depth_scale: float | None = None,
         depth_kind: DepthKind | None = None,
@@ -125,7 +125,7 @@ class Segmenter:
 
 def read_scene(
     scene: Path,
-    camera: Camera | None = None,
+    camera: CameraLike | None = None,
     *,
     depth_scale: float | None = None,
     depth_kind: DepthKind | None = None,
@@ -135,7 +135,7 @@ def train(
     scenes: Paths,
     output: Path,
     config: Path | None = None,
-    overrides: Sequence[str] = [],
+    overrides: Overrides = (),
     *,
     components: Mapping[str, type[Component]] | None = None,
     threads: int = 0,
@@ -148,7 +148,7 @@ def cross_validate(
     folds: int = 5,
     seed: int = 0,
     config: Path | None = None,
-    overrides: Sequence[str] = [],
+    overrides: Overrides = (),
     *,
     leave_one_out: Literal["category", "set"] | None = None,
     also_train: Paths = (),
@@ -159,10 +159,11 @@ def cross_validate(
     labels: LabelScheme | None = None,
 ) -> Scores: ...
 def score(ground_truth: NDArray[Any], labels: NDArray[Any]) -> dict[str, float]: ...
+def override_texts(overrides: Overrides) -> list[str]: ...
 def check_scene_names(scenes: Sequence[Path]) -> None: ...
 def run_identity(
     config: Path | None = None,
-    overrides: Sequence[str] = (),
+    overrides: Overrides = (),
     *,
     components: Mapping[str, type[Component]] | None = None,
 ) -> str: ...

@@ -18,7 +18,7 @@ import distributed
 
 from . import _gestalt
 from .components import Component, registered
-from .types import Path, Scores
+from .types import Overrides, Path, Scores
 
 __all__ = ["Outcome", "ablate", "segment"]
 
@@ -36,13 +36,13 @@ class Outcome(NamedTuple):
 
 
 # Arguments of a segmenter as tasks take them: hashable.
-Overrides = tuple[str, ...]
+Texts = tuple[str, ...]
 Components = tuple[tuple[str, type[Component]], ...]
 Answer = TypeVar("Answer")
 
 
 @functools.lru_cache(maxsize=4)
-def _segmenter(identity: str, config: str | None, overrides: Overrides, components: Components) -> _gestalt.Segmenter:
+def _segmenter(identity: str, config: str | None, overrides: Texts, components: Components) -> _gestalt.Segmenter:
     """Made again when a file at a path has changed, which changes the identity."""
     _gestalt.keep_freed_memory()
     segmenter = _gestalt.Segmenter(config, list(overrides), components=dict(components), threads=1)
@@ -55,7 +55,7 @@ def _segmenter(identity: str, config: str | None, overrides: Overrides, componen
 
 
 def _segment(
-    scene: str, output: str, identity: str, config: str | None, overrides: Overrides, components: Components
+    scene: str, output: str, identity: str, config: str | None, overrides: Texts, components: Components
 ) -> Outcome:
     segmenter = _segmenter(identity, config, overrides, components)
     try:
@@ -67,7 +67,7 @@ def _segment(
 
 
 def _cross_validate(
-    scenes: tuple[str, ...], folds: int, seed: int, config: str | None, overrides: Overrides, components: Components
+    scenes: tuple[str, ...], folds: int, seed: int, config: str | None, overrides: Texts, components: Components
 ) -> Scores:
     return _gestalt.cross_validate(
         list(scenes), folds, seed, config, list(overrides), components=dict(components), threads=1
@@ -75,10 +75,10 @@ def _cross_validate(
 
 
 def _given(
-    config: Path | None, overrides: Sequence[str], components: Mapping[str, type[Component]] | None
-) -> tuple[str | None, Overrides, Components]:
+    config: Path | None, overrides: Overrides, components: Mapping[str, type[Component]] | None
+) -> tuple[str | None, Texts, Components]:
     known = registered if components is None else components
-    return None if config is None else os.fspath(config), tuple(overrides), tuple(sorted(known.items()))
+    return None if config is None else os.fspath(config), tuple(_gestalt.override_texts(overrides)), tuple(sorted(known.items()))
 
 
 def _spread(
@@ -97,7 +97,7 @@ def segment(
     scenes: Sequence[Path],
     output: Path,
     config: Path | None = None,
-    overrides: Sequence[str] = (),
+    overrides: Overrides = (),
     *,
     components: Mapping[str, type[Component]] | None = None,
 ) -> list[Outcome]:
@@ -117,7 +117,7 @@ def segment(
 def ablate(
     client: distributed.Client,
     scenes: Sequence[Path],
-    variants: Mapping[str, Sequence[str]],
+    variants: Mapping[str, Overrides],
     folds: int = 5,
     seed: int = 0,
     config: Path | None = None,

@@ -3,29 +3,38 @@
 """Names of types, for annotations."""
 
 import os
-from collections.abc import Sequence
-from typing import Literal, TypedDict, Union
+from collections.abc import Mapping, Sequence
+from typing import TYPE_CHECKING, Any, Literal, TypedDict, Union
 
 import numpy
 from numpy.typing import NDArray
 
-__all__ = ["DepthKind", "LabelScheme", "Pairs", "Path", "Paths", "Scores"]
+if TYPE_CHECKING:
+    from ._gestalt import Camera
+
+__all__ = ["CameraLike", "DepthKind", "LabelScheme", "Overrides", "Pairs", "Path", "Paths", "Scores"]
 
 Path = Union[str, os.PathLike[str]]
 Paths = Union[Path, Sequence[Path]]
 
+CameraLike = Union["Camera", dict[str, float]]
+"""A camera, or a dictionary with width, height, fx, fy, cx and cy."""
+
+Overrides = Union[Sequence[str], Mapping[str, Any]]
+"""A list of "path=value", or a dictionary {path: value}."""
+
 DepthKind = Literal["plain", "radial", "rotated"]
-"""What the numbers of depth say, as --depth-kind."""
+"""The meaning of depth values, as for --depth-kind."""
 
 LabelScheme = Literal["osd", "objects", "colours"]
-"""What ground truth counts, as --labels."""
+"""The meaning of ground truth, as for --labels."""
 
 Scores = dict[str, dict[str, float]]
 """By category, then by measure."""
 
 
 class Pairs(TypedDict):
-    """Pairs of patches with what is known of them, n rows."""
+    """Pairs of patches with their values and probabilities, n rows."""
 
     names: list[str]
     """The k relation values."""
@@ -34,4 +43,4 @@ class Pairs(TypedDict):
     values: NDArray[numpy.float64]
     """(n, k)"""
     probabilities: NDArray[numpy.float64]
-    """(n,) that the two are of one object; NaN where that was not asked."""
+    """(n,) that both belong to one object; NaN where not classified."""

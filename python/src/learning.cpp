@@ -7,6 +7,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "arguments.h"
 #include "arrays.h"
 #include "components.h"
 #include "core_call.h"
@@ -101,14 +102,14 @@ nlohmann::json training_of(const Model& model) {
 }
 
 py::object train(const py::object& scenes, const fs::path& output, const py::object& config,
-                 const std::vector<std::string>& overrides, const py::object& components, int threads,
+                 const py::object& overrides, const py::object& components, int threads,
                  std::optional<double> depth_scale, const std::optional<std::string>& depth_kind,
                  const std::optional<std::string>& labels) {
   const std::vector<fs::path> given = some_paths(scenes);
   const ReadOptions options = read_options({{}, depth_scale, depth_kind, labels});
   const Arena arena(threads);
   const std::vector<fs::path> all = arena.run([&] { return find_scenes(given); });
-  const Learner learner(config, overrides, components, all, options, arena);
+  const Learner learner(config, override_texts(overrides), components, all, options, arena);
   const PerceivedScenes perceived = learner.perceive(all);
   require_objects(perceived.objects());
   return object_of(arena.run([&] {
@@ -121,7 +122,7 @@ py::object train(const py::object& scenes, const fs::path& output, const py::obj
 }
 
 py::object cross_validate(const py::object& scenes, int folds, std::uint64_t seed, const py::object& config,
-                          const std::vector<std::string>& overrides, const std::optional<std::string>& left_out,
+                          const py::object& overrides, const std::optional<std::string>& left_out,
                           const py::object& also_train, const py::object& components, int threads,
                           std::optional<double> depth_scale, const std::optional<std::string>& depth_kind,
                           const std::optional<std::string>& labels) {
@@ -139,7 +140,7 @@ py::object cross_validate(const py::object& scenes, int folds, std::uint64_t see
     fold = deal_folds(scene_categories(all), folds, seed);
   }
   const std::vector<fs::path> more = find_additional_scenes(others, all);
-  const Learner learner(config, overrides, components, all, options, arena);
+  const Learner learner(config, override_texts(overrides), components, all, options, arena);
   const PerceivedScenes perceived = learner.perceive(all), additional = learner.perceive(more);
   require_objects(perceived.objects());
   return object_of(arena.run([&] {
@@ -181,18 +182,18 @@ py::object score(const py::array& ground_truth, const py::array& labels) {
 
 void bind_learning(py::module_& module) {
   module.def("train", &train, Computing(), py::arg("scenes"), py::arg("output"), py::arg("config") = py::none(),
-             py::arg("overrides") = std::vector<std::string>{}, py::kw_only(), py::arg("components") = py::none(),
+             py::arg("overrides") = py::tuple(), py::kw_only(), py::arg("components") = py::none(),
              py::arg("threads") = 0, py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(),
              py::arg("labels") = py::none(),
              R"(Learns from scenes with ground truth and writes the model file output.
 
-scenes: folders of scenes, one or many. labels: what their ground truth counts, "osd", "objects" or "colours"; None:
-guessed where that is certain. Without colour in any scene, and without config, depth_only.yaml is taken and warned of.
-Returns of each level the classifier, the values, and how many pairs it saw. Use the model with the same config and
-overrides=["model=..."]. Raises InputError where no scene has an object, too.)");
+scenes: folders of scenes, one or many. labels: the meaning of their ground truth, "osd", "objects" or "colours";
+None: inferred if unambiguous. If no scene has colour and no config is given, depth_only.yaml is used, with a warning.
+Returns the classifier, the values and the number of training pairs of each level. Use the model with the same config
+and overrides={"model": ...}. Also raises InputError if no scene has an object.)");
   module.def("cross_validate", &cross_validate, Computing(), py::arg("scenes"), py::arg("folds") = 5,
-             py::arg("seed") = 0, py::arg("config") = py::none(), py::arg("overrides") = std::vector<std::string>{},
-             py::kw_only(), py::arg("leave_one_out") = py::none(), py::arg("also_train") = py::tuple(),
+             py::arg("seed") = 0, py::arg("config") = py::none(), py::arg("overrides") = py::tuple(), py::kw_only(),
+             py::arg("leave_one_out") = py::none(), py::arg("also_train") = py::tuple(),
              py::arg("components") = py::none(), py::arg("threads") = 0, py::arg("depth_scale") = py::none(),
              py::arg("depth_kind") = py::none(), py::arg("labels") = py::none(),
              R"(Trains on all folds of the scenes but one and scores that one, for each.

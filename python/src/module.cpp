@@ -8,12 +8,12 @@
 #include <cstdlib>
 #include <iostream>
 
+#include "arguments.h"
 #include "components.h"
 #include "core_call.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/plugin/registry.h"
 #include "gestalt/core/plugin/running_component.h"
-#include "gestalt/core/scene/frame.h"
 #include "segmenter.h"
 #include "text.h"
 #include "wording.h"
@@ -47,29 +47,6 @@ void bind_errors(py::module_& module) {
   bind_error<InputError>(module, "InputError", base, "A scene or image that cannot be used.");
   bind_error<TimeError>(module, "TimeError", base, "A frame that took longer than its time budget.");
   bind_error<OutputError>(module, "OutputError", base, "A file that cannot be written.");
-}
-
-void bind_camera(py::module_& module) {
-  py::class_<Camera>(module, "Camera", "Pinhole intrinsics in pixels. Camera frame: x right, y down, z forward.")
-      .def(py::init([](int width, int height, double fx, double fy, double cx, double cy) {
-             return Camera{width, height, fx, fy, cx, cy};
-           }),
-           py::arg("width"), py::arg("height"), py::arg("fx"), py::arg("fy"), py::arg("cx"), py::arg("cy"))
-      .def_readonly("width", &Camera::width)
-      .def_readonly("height", &Camera::height)
-      .def_readonly("fx", &Camera::fx)
-      .def_readonly("fy", &Camera::fy)
-      .def_readonly("cx", &Camera::cx)
-      .def_readonly("cy", &Camera::cy)
-      .def(py::pickle([](const Camera& c) { return py::make_tuple(c.width, c.height, c.fx, c.fy, c.cx, c.cy); },
-                      [](const py::tuple& t) {
-                        return Camera{t[0].cast<int>(),    t[1].cast<int>(),    t[2].cast<double>(),
-                                      t[3].cast<double>(), t[4].cast<double>(), t[5].cast<double>()};
-                      }))
-      .def("__repr__", [](const Camera& c) {
-        return py::str("gestalt.Camera(width={}, height={}, fx={}, fy={}, cx={}, cy={})")
-            .format(c.width, c.height, c.fx, c.fy, c.cx, c.cy);
-      });
 }
 
 /// A frame's images come and go; without this, and where the environment asks for it as Dask does, each one's memory

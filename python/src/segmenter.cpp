@@ -15,6 +15,7 @@
 #include <nlohmann/json.hpp>
 #include <optional>
 
+#include "arguments.h"
 #include "arrays.h"
 #include "components.h"
 #include "core_call.h"
@@ -58,6 +59,17 @@ Loaded load(const Arena& arena, LoadedConfig config) {
   if (const std::string warning = segmenter.warning(); !warning.empty()) warn(warning);
   auto source = std::make_shared<Source>(Source{arena, segmenter.config_json()});
   return {std::move(source), std::move(segmenter)};
+}
+
+/// Throws what Python has for other objects, and for a NUL within.
+fs::path path_of(const py::handle& path) {
+  PyObject* bytes = nullptr;
+  if (!PyUnicode_FSConverter(path.ptr(), &bytes)) throw py::error_already_set();
+  return std::string(py::reinterpret_steal<py::bytes>(bytes));
+}
+
+std::string counted(std::size_t count, const char* one, const char* many) {
+  return std::to_string(count) + " " + (count == 1 ? one : many);
 }
 
 /// What was found in a frame. Images share their memory with numpy; the rest is made when it is asked for.
@@ -121,11 +133,19 @@ class Result {
     source_->arena.run([&] { write_result(place, input_, found_, source_->config); });
   }
 
+  /// For pickle: a gestalt.StoredResult of the same content.
+  py::tuple reduced() {
+    const py::object stored = py::module_::import("gestalt.stored").attr("StoredResult");
+    return py::make_tuple(
+        stored, py::make_tuple(name(), labels(), objects_image(), patch_labels(), normals(), points(),
+                               pairs(Level::structural), pairs(Level::assembly), milliseconds(), dictionary()));
+  }
+
   py::str text() const {
     std::size_t objects = 0;
     for (const Segment& segment : found_.segmentation.segments) objects += segment.role == Role::object;
-    return text_of("<gestalt.Result of '" + input_.frame.name + "': " + std::to_string(objects) + " objects, " +
-                   std::to_string(found_.percept.surfaces().surfaces.size()) + " patches>");
+    return text_of("<gestalt.Result of '" + input_.frame.name + "': " + counted(objects, "object", "objects") + ", " +
+                   counted(found_.percept.surfaces().surfaces.size(), "patch", "patches") + ">");
   }
 
  private:
@@ -152,23 +172,26 @@ class PySegmenter {
         components_(components),
         may_be_replaced_(config.is_none() && depth_only_may_replace({}, overrides_)),
         arena_(threads),
-        loaded_(load(arena_, load_config(config, overrides_, components_))) {}
+        loaded_(load(arena_, load_config(config, overrides_, components_))),
+        name_(config.is_none() ? default_config().filename().string() : path_of(config).string()) {}
 
-  std::unique_ptr<Result> call(const py::object& colour, const py::array& depth, const Camera& camera,
+  std::unique_ptr<Result> call(const py::object& colour, const py::object& depth, const py::object& given_camera,
                                const std::string& name, std::optional<double> depth_scale,
                                const std::optional<std::string>& depth_kind) const {
+    const py::array depth_values = depth_array(depth);
+    const Camera camera = camera_of(given_camera);
     cv::Mat colours = colour_image(colour);
-    DepthReading depths = depth_image(depth, read_options({{}, depth_scale, depth_kind, {}}));
+    DepthReading depths = depth_image(depth_values, read_options({{}, depth_scale, depth_kind, {}}));
     Input input;
     input.path = name;
     arena_.run([&] { set_frame(input, name, colours, std::move(depths), camera); });
     return segment(std::move(input));
   }
 
-  std::unique_ptr<Result> read(const fs::path& scene, const std::optional<Camera>& camera,
-                               std::optional<double> depth_scale, const std::optional<std::string>& depth_kind,
+  std::unique_ptr<Result> read(const fs::path& scene, const py::object& camera, std::optional<double> depth_scale,
+                               const std::optional<std::string>& depth_kind,
                                const std::optional<std::string>& labels) const {
-    const ReadOptions options = read_options({camera, depth_scale, depth_kind, labels});
+    const ReadOptions options = read_options({optional_camera(camera), depth_scale, depth_kind, labels});
     return segment(arena_.run([&] { return read_scene(scene, options); }));
   }
 
@@ -203,6 +226,12 @@ class PySegmenter {
 
   py::object config() const { return object_of(loaded_.source->config.at("values")); }
 
+  py::str text() const {
+    const nlohmann::json& values = loaded_.source->config.at("values");
+    return text_of("<gestalt.Segmenter of '" + name_ + "': levels " + values.at("levels").get<std::string>() +
+                   ", model '" + fs::path(values.at("model").get<std::string>()).filename().string() + "'>");
+  }
+
  private:
   std::unique_ptr<Result> segment(Input input) const {
     const bool by_depth = may_be_replaced_ && !input.frame.has_colour();
@@ -232,13 +261,14 @@ class PySegmenter {
   bool may_be_replaced_;  ///< by the config for depth alone
   Arena arena_;
   Loaded loaded_;
+  std::string name_;  ///< of the config
   mutable std::mutex in_use_;
   mutable std::optional<Loaded> depth_only_;
 };
 
-py::tuple read(const fs::path& scene, const std::optional<Camera>& camera, std::optional<double> depth_scale,
+py::tuple read(const fs::path& scene, const py::object& camera, std::optional<double> depth_scale,
                const std::optional<std::string>& depth_kind, const std::optional<std::string>& labels) {
-  const ReadOptions options = read_options({camera, depth_scale, depth_kind, labels});
+  const ReadOptions options = read_options({optional_camera(camera), depth_scale, depth_kind, labels});
   const Input input = Arena(1).run([&] { return read_scene(scene, options); });
   warn(input.warnings);
   const Frame& frame = input.frame;
@@ -264,16 +294,8 @@ void check_names(const std::vector<fs::path>& scenes) {
   check_scene_names(named);
 }
 
-std::string identity(const py::object& config, const std::vector<std::string>& overrides,
-                     const py::object& components) {
-  return run_identity(load_config(config, overrides, registered(components)));
-}
-
-/// Throws what Python has for other objects, and for a NUL within.
-fs::path path_of(const py::handle& path) {
-  PyObject* bytes = nullptr;
-  if (!PyUnicode_FSConverter(path.ptr(), &bytes)) throw py::error_already_set();
-  return std::string(py::reinterpret_steal<py::bytes>(bytes));
+std::string identity(const py::object& config, const py::object& overrides, const py::object& components) {
+  return run_identity(load_config(config, override_texts(overrides), registered(components)));
 }
 
 }  // namespace
@@ -329,8 +351,11 @@ std::vector<fs::path> some_paths(const py::object& given) {
 }
 
 void bind_segmenter(py::module_& module) {
-  py::class_<Result>(module, "Result", "What was found in a frame. Patches count from 0, segments have their labels.")
-      .def_property_readonly("name", &Result::name, "Of the frame.")
+  py::class_<Result>(
+      module, "Result",
+      "The result of a frame. Patches are numbered from 0, segments by their labels. A pickled result becomes a "
+      "gestalt.StoredResult with the same attributes.")
+      .def_property_readonly("name", &Result::name, "The name of the frame.")
       .def_property_readonly("labels", &Result::labels,
                              "(height, width) uint16: the segment of each pixel, background included; 0 in none.")
       .def_property_readonly("object_labels", &Result::objects_image,
@@ -339,54 +364,60 @@ void bind_segmenter(py::module_& module) {
                              "(height, width) int32: 1 + the number of each pixel's patch; 0 in none.")
       .def_property_readonly("normals", &Result::normals,
                              "(height, width, 3) float32, unit, towards the camera; 0 where there is none.")
-      .def_property_readonly("points", &Result::points, "(height, width, 3) float32, metres in the camera frame.")
+      .def_property_readonly("points", &Result::points,
+                             "(height, width, 3) float32, metres in the camera frame (x right, y down, z forward); "
+                             "(0, 0, 0) where there is no depth.")
       .def_property_readonly("segments", py::cpp_function(&Result::segments, Computing()),
-                             "Of each segment its label, role, pixels and patches; as in result.json, largest first.")
+                             "Label, role, pixels and patches of each segment, as in result.json, largest first.")
       .def_property_readonly("objects", py::cpp_function(&Result::objects, Computing()),
                              "The segments that are objects.")
       .def_property_readonly("patches", py::cpp_function(&Result::patches, Computing()),
-                             "Of each patch its pixels and its surface with parameters; as in result.json.")
+                             "Pixels and parametric surface of each patch, as in result.json.")
       .def_property_readonly(
           "structural", [](const Result& result) { return result.pairs(Level::structural); },
-          R"(Pairs of neighbouring patches, a dictionary of names: the k relation values; pairs: (n, 2) patches;
-values: (n, k); probabilities: (n,) that the two are of one object, NaN where that was not asked.)")
+          R"(Pairs of neighbouring patches, a dictionary. names: the k relation values; pairs: (n, 2) patches; values: (n, k);
+probabilities: (n,) that both patches belong to one object, NaN where not classified.)")
       .def_property_readonly(
           "assembly", [](const Result& result) { return result.pairs(Level::assembly); },
-          "The same of pairs that are not neighbours; without rows where the config has no assembly level.")
+          "The same for pairs that are not neighbours; no rows if the config has no assembly level.")
       .def_property_readonly("milliseconds", &Result::milliseconds, "Time spent in each level.")
-      .def("to_dict", &Result::dictionary, Computing(), "Everything that result.json holds.")
+      .def("to_dict", &Result::dictionary, Computing(), "The content of result.json.")
       .def("save", &Result::save, Computing(), py::arg("folder"), py::arg("name") = py::none(),
-           "Writes labels.png, objects.png, overlay.png, patches.png and result.json: all or none.\n\n"
-           "name: of a folder in it, where they go instead; data may have given it: no link is followed there.")
+           "Writes labels.png, objects.png, overlay.png, patches.png and result.json, all or none.\n\n"
+           "name: a folder below it to write to instead. The name may be untrusted: no link is followed there.")
+      .def("__reduce__", &Result::reduced, Computing())
       .def("__repr__", &Result::text);
 
   py::class_<PySegmenter>(module, "Segmenter", R"(The segmenter, ready to run; may be used from many threads.
 
-config: a YAML file or the name of an installed config; None: default.yaml, and depth_only.yaml with its model for what
-has no colour, which is warned of, unless overrides are of a model, relation or classifier.
-overrides: texts as "structural.minimum_size=50", as --set of the command.
-components: classes of Python by name; None: those that were registered.
-threads: of TBB, 0 for all. Results are the same for any number.
+config: a YAML file or the name of an installed config; None: default.yaml, or, with a warning, depth_only.yaml
+and its model for frames without colour, unless overrides set a model, relation or classifier.
+overrides: a list of strings like "structural.minimum_size=50", as for --set of the command, or a dictionary like
+{"structural.minimum_size": 50}.
+components: Python classes by name; None: the registered ones.
+threads: number of TBB threads, 0 for all. Results are the same for any number.
 
 Raises ConfigError, PluginError, ModelError. Warns when the model was trained with other parameters.)")
-      .def(py::init([](const py::object& config, const std::vector<std::string>& overrides,
-                       const py::object& components, int threads) {
-             return std::make_unique<PySegmenter>(config, overrides, registered(components), threads);
+      .def(py::init([](const py::object& config, const py::object& overrides, const py::object& components,
+                       int threads) {
+             return std::make_unique<PySegmenter>(config, override_texts(overrides), registered(components), threads);
            }),
-           py::arg("config") = py::none(), py::arg("overrides") = std::vector<std::string>{}, py::kw_only(),
-           Computing(), py::arg("components") = py::none(), py::arg("threads") = 0)
-      .def("__call__", &PySegmenter::call, Computing(), py::arg("colour"), py::arg("depth"), py::arg("camera"),
-           py::arg("name") = "frame", py::kw_only(), py::arg("depth_scale") = py::none(),
-           py::arg("depth_kind") = py::none(), R"(Segments a frame.
+           py::arg("config") = py::none(), py::arg("overrides") = py::tuple(), py::kw_only(), Computing(),
+           py::arg("components") = py::none(), py::arg("threads") = 0)
+      .def("__call__", &PySegmenter::call, Computing(), py::arg("colour"), py::arg("depth") = py::none(),
+           py::arg("camera") = py::none(), py::arg("name") = "frame", py::kw_only(),
+           py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(), R"(Segments a frame.
 
 colour: (height, width, 3) uint8, red green blue; or None.
 depth: (height, width) uint16 in millimetres or float in metres; 0 or not finite where there is none.
-depth_scale: metres per unit of depth, where it is in another unit.
+depth_scale: metres per unit of depth, if depth is in another unit.
 depth_kind: "plain", along the optical axis, which is the default; "radial", the distance from the camera; "rotated", 16
 bits rotated by three as in SUN RGB-D.
 
-The interpreter is released meanwhile. Raises InputError when the images and the camera do not fit each other,
-PluginError when a component fails.)")
+camera: a gestalt.Camera, or a dictionary with width, height, fx, fy, cx and cy, in pixels.
+
+The interpreter lock is released during the call. Raises InputError if the images and the camera do not match,
+PluginError if a component fails.)")
       .def("segment", &PySegmenter::read, Computing(), py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
            py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(), py::arg("labels") = py::none(),
            "Segments a scene folder or a cloud, as `gestalt segment` does; camera replaces the scene's, depth_scale "
@@ -397,19 +428,21 @@ PluginError when a component fails.)")
           R"(Scores of scenes with ground truth by category (of several sets SET/CATEGORY), their "mean", and of "all", as
 `gestalt evaluate --json` prints them.
 
-labels: what ground truth counts, "osd", "objects" or "colours"; None: guessed where that is certain.
+labels: the meaning of ground truth, "osd", "objects" or "colours"; None: inferred if unambiguous.
 
-Warns of what is probably not as it was read. Raises InputError also where no scene has an object, and for a scene
-without colour among others.)")
-      .def_property_readonly("config", &PySegmenter::config, "The resolved config as a dictionary.");
+Warns about improbable input. Also raises InputError if no scene has an object, and for a scene without colour among
+scenes with colour.)")
+      .def_property_readonly("config", &PySegmenter::config, "The resolved config as a dictionary.")
+      .def("__repr__", &PySegmenter::text);
 
   module.def("read_scene", &read, Computing(), py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
              py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(), py::arg("labels") = py::none());
+  module.def("override_texts", &override_texts, py::arg("overrides"), "Overrides as a list of \"path=value\".");
   module.def("check_scene_names", &check_names, py::arg("scenes"),
-             "Raises InputError unless each scene has a name of its own, by which results can go.");
-  module.def("run_identity", &identity, Computing(), py::arg("config") = py::none(),
-             py::arg("overrides") = std::vector<std::string>{}, py::kw_only(), py::arg("components") = py::none(),
-             "Names what a segmenter is made of by its content: config, model, plugins, this build.");
+             "Raises InputError unless the names of the scenes differ and can be names of folders.");
+  module.def("run_identity", &identity, Computing(), py::arg("config") = py::none(), py::arg("overrides") = py::tuple(),
+             py::kw_only(), py::arg("components") = py::none(),
+             "A digest of the content of a segmenter: config, model, plugins, this build.");
 }
 
 }  // namespace gestalt::python

@@ -1,0 +1,103 @@
+# SPDX-FileCopyrightText: 2026 The Gestalt authors
+# SPDX-License-Identifier: BSD-3-Clause
+"""What users of Python expect of any package: short errors, readable texts, pickles."""
+
+import inspect
+import os
+import pathlib
+import pickle
+import unittest
+
+import gestalt
+import numpy
+
+DEMO = pathlib.Path(os.environ["GESTALT_SOURCE"], "examples", "demo_scene")
+CAMERA = {"width": 640, "height": 480, "fx": 525, "fy": 525.0, "cx": 319.5, "cy": 239.5}
+
+
+class HabitsTest(unittest.TestCase):
+    @classmethod
+    def setUpClass(cls):
+        cls.segmenter = gestalt.Segmenter()
+        cls.scene = gestalt.read_scene(DEMO)
+        cls.result = cls.segmenter(cls.scene.colour, cls.scene.depth, cls.scene.camera, "demo")
+
+    def test_texts_name_what_there_is(self):
+        self.assertEqual(repr(self.segmenter), "<gestalt.Segmenter of 'default.yaml': levels structural+assembly, model 'default.json'>")
+        objects, patches = len(self.result.objects), len(self.result.patches)
+        self.assertEqual(repr(self.result), f"<gestalt.Result of 'demo': {objects} objects, {patches} patches>")
+
+    def test_a_result_survives_a_pickle(self):
+        stored = pickle.loads(pickle.dumps(self.result))
+        self.assertIsInstance(stored, gestalt.StoredResult)
+        for name in ("labels", "object_labels", "patch_labels", "normals", "points"):
+            numpy.testing.assert_array_equal(getattr(stored, name), getattr(self.result, name), name)
+        for name in ("name", "milliseconds", "segments", "objects", "patches"):
+            self.assertEqual(getattr(stored, name), getattr(self.result, name), name)
+        self.assertEqual(stored.to_dict(), self.result.to_dict())
+        numpy.testing.assert_array_equal(stored.assembly["values"], self.result.assembly["values"])
+        self.assertEqual(repr(stored).replace("StoredResult", "Result"), repr(self.result))
+        self.assertEqual(len(pickle.loads(pickle.dumps(stored)).objects), len(stored.objects))
+        with self.assertRaisesRegex(gestalt.OutputError, "save it before it is pickled"):
+            stored.save("out")
+
+    def test_points_are_those_of_the_camera_frame(self):
+        points, depth = self.result.points, self.scene.depth
+        numpy.testing.assert_allclose(points[..., 2], depth)
+        numpy.testing.assert_allclose(points[100, 200, 0], depth[100, 200] * (200 - 319.5) / 525, rtol=1e-5)
+
+    def test_a_camera_may_be_a_dictionary(self):
+        same = self.segmenter(self.scene.colour, self.scene.depth, CAMERA)
+        numpy.testing.assert_array_equal(same.labels, self.result.labels)
+        numpy.testing.assert_array_equal(self.segmenter.segment(DEMO, CAMERA).labels, self.result.labels)
+        self.assertEqual(repr(gestalt.read_scene(DEMO, CAMERA).camera), repr(self.scene.camera))
+        without = {key: value for key, value in CAMERA.items() if key != "fy"}
+        for error, camera, text in (
+            (gestalt.InputError, without, "the key 'fy' is missing"),
+            (gestalt.InputError, {**CAMERA, "f": 1}, "unknown key 'f'"),
+            (TypeError, {**CAMERA, "fx": "wide"}, "'fx' is a str; expected a number"),
+            (TypeError, {**CAMERA, "width": 640.5}, "'width' is a float"),
+            (TypeError, [525, 525], "got a list; expected gestalt.Camera"),
+            (TypeError, None, "camera: is missing"),
+        ):
+            with self.assertRaisesRegex(error, text):
+                self.segmenter(self.scene.colour, self.scene.depth, camera)
+
+    def test_overrides_may_be_a_dictionary(self):
+        def config(overrides):
+            return gestalt.Segmenter(overrides=overrides).config
+
+        self.assertEqual(config({}), self.segmenter.config)
+        self.assertEqual(config(None), self.segmenter.config)
+        given = {"structural.minimum_size": 77, "decision.figure_ground.max_depth": 1.5, "sensor.noise": "realsense",
+                 "decision.figure_ground.separate": True}
+        texts = ["structural.minimum_size=77", "decision.figure_ground.max_depth=1.5", "sensor.noise=realsense",
+                 "decision.figure_ground.separate=true"]
+        self.assertEqual(config(given), config(texts))
+        self.assertEqual(config({"sensor": {"noise": "realsense"}}), config(["sensor.noise=realsense"]))
+        for overrides, text in (
+            ("structural.minimum_size=77", "got a str; expected a list"),
+            (7, "got a int"),
+            ([7], "got a int in the list"),
+            ({7: 1}, "a key is a int"),
+            ({"sensor.noise": numpy}, "the value of 'sensor.noise' is a module"),
+        ):
+            with self.assertRaisesRegex(TypeError, text):
+                config(overrides)
+
+    def test_a_missing_depth_is_explained_in_few_words(self):
+        for arguments in ((self.scene.colour,), (None, self.scene.depth.tolist(), CAMERA), (self.scene.colour, "depth.png", CAMERA)):
+            with self.assertRaisesRegex(TypeError, "^depth: .*expected a numpy array of shape") as caught:
+                self.segmenter(*arguments)
+            self.assertLess(len(str(caught.exception)), 300)
+
+    def test_signatures_can_be_read(self):
+        self.assertEqual(
+            str(inspect.signature(gestalt.Segmenter)),
+            "(config: 'Path | None' = None, overrides: 'Overrides' = (), *, components: 'Mapping[str, type[Component]] | None' = None,"
+            " threads: 'int' = 0)",
+        )
+
+
+if __name__ == "__main__":
+    unittest.main()
