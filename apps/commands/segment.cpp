@@ -10,6 +10,7 @@
 #include <sstream>
 
 #include "command.h"
+#include "gestalt/apps/counted.h"
 #include "gestalt/apps/frame_options.h"
 #include "gestalt/apps/scene_batch.h"
 #include "gestalt/apps/scene_segmenter.h"
@@ -19,12 +20,6 @@
 namespace gestalt::app::segment_command {
 
 namespace {
-
-/// "1 object", "2 objects"; "patches".
-std::string counted(std::size_t count, const std::string& noun) {
-  const std::string plural = noun.ends_with("ch") ? "es" : "s";
-  return std::to_string(count) + " " + noun + (count == 1 ? "" : plural);
-}
 
 struct Options {
   std::vector<std::filesystem::path> inputs;

@@ -9,6 +9,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "gestalt/apps/counted.h"
 #include "gestalt/apps/interruption.h"
 #include "gestalt/apps/scene_batch.h"
 #include "gestalt/apps/scene_segmenter.h"
@@ -60,7 +61,8 @@ class Summary {
   bool any_failed() const { return failed_ > 0; }
 
   void print(std::size_t dropped) const {
-    std::cerr << "gestalt: " << latencies_.size() << " frames, " << dropped << " dropped, " << failed_ << " failed";
+    std::cerr << "gestalt: " << counted(latencies_.size(), "frame") << ", " << dropped << " dropped, " << failed_
+              << " failed";
     if (!latencies_.empty())
       std::cerr << std::fixed << std::setprecision(1) << "; latency: median " << quantile(latencies_, 0.5)
                 << " ms, 99th percentile " << quantile(latencies_, 0.99) << " ms";

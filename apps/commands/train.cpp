@@ -7,6 +7,7 @@
 #include <iostream>
 
 #include "command.h"
+#include "gestalt/apps/counted.h"
 #include "gestalt/apps/depth_only.h"
 #include "gestalt/apps/pipeline_options.h"
 #include "gestalt/apps/reading_options.h"
@@ -30,9 +31,9 @@ struct Options {
 };
 
 void print_model(const Model& model, Level level) {
-  std::cout << name_of(level) << " level: " << model.classifier << " trained on " << model.training.scenes.size()
-            << " scenes, " << model.training.positive_pairs << " positive and " << model.training.negative_pairs
-            << " negative pairs\n"
+  std::cout << name_of(level) << " level: " << model.classifier << " trained on "
+            << counted(model.training.scenes.size(), "scene") << ", " << model.training.positive_pairs
+            << " positive and " << model.training.negative_pairs << " negative pairs\n"
             << "value      scaled from\n";
   for (std::size_t i = 0; i < model.names.size(); ++i)
     std::cout << std::left << std::setw(10) << model.names[i] << " [" << model.scaling.low[i] << ", "

@@ -236,7 +236,7 @@ TEST_F(ModelFile, RefusesWhatIsNoFile) {
 TEST_F(ModelFile, RefusesAFileThatIsTooLarge) {
   write("{}");
   fs::resize_file(file_, largest_json + 1);  // sparse
-  EXPECT_NE(complaint().find("has 268435457 bytes; more than the limit of 268435456"), std::string::npos);
+  EXPECT_NE(complaint().find("has 268435457 bytes, more than the limit of 268435456"), std::string::npos);
 }
 
 TEST_F(ModelFile, TrainingNeedsBothClasses) {

@@ -23,9 +23,16 @@ std::string type_name(const py::handle& object) {
   return py::cast<std::string>(py::type::handle_of(object).attr("__name__"));
 }
 
+/// A string's bytes as Python writes them in paths. Throws what Python has for one that cannot be.
+std::string bytes_of(const py::handle& text) {
+  PyObject* const bytes = PyUnicode_EncodeFSDefault(text.ptr());
+  if (!bytes) throw py::error_already_set();
+  return std::string(py::reinterpret_steal<py::bytes>(bytes));
+}
+
 /// A value of a dictionary of overrides as it is written on the command line.
 std::string value_text(const std::string& path, const py::handle& value) {
-  if (py::isinstance<py::str>(value)) return py::cast<std::string>(value);
+  if (py::isinstance<py::str>(value)) return bytes_of(value);
   if (value.is_none()) return "none";
   try {
     return py::cast<std::string>(py::module_::import("json").attr("dumps")(value, py::arg("allow_nan") = false));
@@ -48,7 +55,7 @@ Number camera_number(const py::handle& mapping, const char* key) {
 
 Camera camera_of_dictionary(const py::dict& given) {
   for (const auto& [key, value] : given) {
-    const std::string name = py::isinstance<py::str>(key) ? py::cast<std::string>(key) : type_name(key);
+    const std::string name = py::isinstance<py::str>(key) ? bytes_of(key) : type_name(key);
     if (std::find(camera_keys.begin(), camera_keys.end(), name) == camera_keys.end())
       throw InputError("camera: unknown key '" + name + "'; " + wanted_camera);
   }
@@ -70,7 +77,7 @@ std::vector<std::string> override_texts(const py::object& overrides) {
         throw py::type_error("overrides: a key is a " + type_name(key) +
                              "; expected a path, as in "
                              "{\"structural.minimum_size\": 50}");
-      const std::string path = py::cast<std::string>(key);
+      const std::string path = bytes_of(key);
       texts.push_back(path + "=" + value_text(path, value));
     }
     return texts;
@@ -83,7 +90,7 @@ std::vector<std::string> override_texts(const py::object& overrides) {
   for (const py::handle text : overrides) {
     if (!py::isinstance<py::str>(text))
       throw py::type_error("overrides: got a " + type_name(text) + " in the list" + wanted);
-    texts.push_back(py::cast<std::string>(text));
+    texts.push_back(bytes_of(text));
   }
   return texts;
 }

@@ -437,7 +437,14 @@ scenes with colour.)")
 
   module.def("read_scene", &read, Computing(), py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
              py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(), py::arg("labels") = py::none());
-  module.def("override_texts", &override_texts, py::arg("overrides"), "Overrides as a list of \"path=value\".");
+  module.def(
+      "override_texts",
+      [](const py::object& overrides) {
+        py::list texts;
+        for (const std::string& text : override_texts(overrides)) texts.append(text_of(text));
+        return texts;
+      },
+      py::arg("overrides"), "Overrides as a list of \"path=value\".");
   module.def("check_scene_names", &check_names, py::arg("scenes"),
              "Raises InputError unless the names of the scenes differ and can be names of folders.");
   module.def("run_identity", &identity, Computing(), py::arg("config") = py::none(), py::arg("overrides") = py::tuple(),

@@ -104,7 +104,7 @@ class Told(Reading):
         segmenter = gestalt.Segmenter()
         result = segmenter(scene.colour, distance, camera, depth_kind="radial")
         numpy.testing.assert_allclose(result.points[..., 2], scene.depth, atol=1e-5)
-        with self.assertRaisesRegex(gestalt.InputError, "depth_kind: 'polar' is none of plain, radial, rotated"):
+        with self.assertRaisesRegex(gestalt.InputError, "depth_kind: 'polar' is not one of plain, radial, rotated"):
             segmenter(scene.colour, distance, camera, depth_kind="polar")
         with self.assertRaisesRegex(gestalt.InputError, "labels: 'coco' is none of osd, objects, colours"):
             gestalt.read_scene(demo, labels="coco")

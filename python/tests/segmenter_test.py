@@ -257,7 +257,7 @@ class PipelineTest(unittest.TestCase):
         self.assertTrue(issubclass(gestalt.InputError, gestalt.Error))
 
     def test_a_model_of_other_parameters_is_warned_of(self):
-        with self.assertWarnsRegex(UserWarning, "was trained with other parameters"):
+        with self.assertWarnsRegex(UserWarning, "was trained with different parameters"):
             gestalt.Segmenter(overrides=["primitive.model_selection.sigma=3"])
 
     def test_a_camera_can_be_pickled(self):

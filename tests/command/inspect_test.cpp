@@ -198,7 +198,7 @@ TEST_F(Inspect, LoadsNoPluginsFromWhereAResultSays) {
     r["config"]["values"]["plugin_directories"] = {plugins};
     r["config"]["values"]["decision"]["solver"] = "none_such";  // the error tells all folders that were searched
   });
-  expect_no_page(run({result}), 2, {"none_such", "searched", "not searched", "stranger", plugins});
+  expect_no_page(run({result}), 2, {"none_such", "searched", "not searched", "untrusted", plugins});
   const std::string searched = run({result}).err;
   EXPECT_EQ(occurrences(plugins, searched.substr(0, searched.find("not searched"))), 0) << searched;
   expect_success(run({changed([&](json& r) { r["config"]["values"]["plugin_directories"] = {plugins}; })}));
