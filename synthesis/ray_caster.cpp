@@ -50,9 +50,6 @@ RayCaster::~RayCaster() {
 }
 
 Hit RayCaster::cast(const Eigen::Vector3f& origin, const Eigen::Vector3f& direction) const {
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   RTCRayHit query{};
   query.ray.org_x = origin.x();
   query.ray.org_y = origin.y();
@@ -63,7 +60,7 @@ Hit RayCaster::cast(const Eigen::Vector3f& origin, const Eigen::Vector3f& direct
   query.ray.tfar = std::numeric_limits<float>::infinity();
   query.ray.mask = ~0u;
   query.hit.geomID = RTC_INVALID_GEOMETRY_ID;
-  rtcIntersect1(scene_, &context, &query);
+  intersect(scene_, query);
   Hit hit;
   if (query.hit.geomID == RTC_INVALID_GEOMETRY_ID) return hit;
 
@@ -87,9 +84,6 @@ bool RayCaster::visible(const Eigen::Vector3f& surface_point, const Eigen::Vecto
   const Eigen::Vector3f way = surface_point - from;
   const float length = way.norm();
   constexpr float skin = 0.003f;
-  RTCIntersectContext context;
-  rtcInitIntersectContext(&context);
-  context.flags = RTC_INTERSECT_CONTEXT_FLAG_COHERENT;
   RTCRay ray{};
   ray.org_x = from.x();
   ray.org_y = from.y();
@@ -99,7 +93,7 @@ bool RayCaster::visible(const Eigen::Vector3f& surface_point, const Eigen::Vecto
   ray.dir_z = way.z();
   ray.tfar = 1 - skin / length;
   ray.mask = ~0u;
-  rtcOccluded1(scene_, &context, &ray);
+  find_occlusion(scene_, ray);
   return ray.tfar > 0;
 }
 

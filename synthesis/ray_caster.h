@@ -2,13 +2,12 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
-#include <embree3/rtcore.h>
-
 #include <Eigen/Core>
 #include <span>
 #include <vector>
 
 #include "body.h"
+#include "embree.h"
 
 namespace gestalt::synthesis {
 
