@@ -39,8 +39,14 @@ def configure(build):
     """A build tree with the modules of this interpreter."""
     options = ["-S", SOURCE, "-B", build, "-DGESTALT_PYTHON=ON", f"-DPython_EXECUTABLE={os.path.realpath(sys.executable)}"]
     if not (build / "CMakeCache.txt").exists():
-        options += ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release"]
-    cmake(*options)
+        options += ["-G", "Ninja", "-DCMAKE_BUILD_TYPE=Release", "-DCMAKE_UNITY_BUILD=ON"]  # as scripts/demo builds
+    try:
+        cmake(*options)
+    except (OSError, subprocess.CalledProcessError) as error:
+        raise SystemExit(
+            "gestalt cannot be configured; the lines above say what is missing. On Debian 12, "
+            "scripts/install_dependencies --python installs all that is needed"
+        ) from error
 
 
 def install(build, prefix):

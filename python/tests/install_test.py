@@ -9,6 +9,7 @@ import subprocess
 import sys
 import tempfile
 import unittest
+from unittest import mock
 
 PROGRAM = """
 import sys, gestalt
@@ -42,6 +43,14 @@ class InstallTest(unittest.TestCase):
             self.assertIn(str(build / "bin" / "gestalt"), installed)
             names = {str(pathlib.Path(file).relative_to(build)) for file in installed}
             self.assertEqual({name for name in names if name not in commands}, set())
+
+    def test_a_failed_configuration_names_the_remedy(self):
+        sys.path.insert(0, os.path.join(os.environ["GESTALT_SOURCE"], "python"))
+        import build_backend  # noqa: PLC0415
+
+        with tempfile.TemporaryDirectory() as work, mock.patch.dict(os.environ, {"PATH": work}):
+            with self.assertRaisesRegex(SystemExit, "scripts/install_dependencies --python"):
+                build_backend.configure(pathlib.Path(work, "build"))
 
     def test_pip_installs_it(self):
         clean = {name: value for name, value in os.environ.items() if name not in ("PYTHONPATH", "GESTALT_PLUGIN_PATH")}

@@ -106,7 +106,7 @@ class Told(Reading):
         numpy.testing.assert_allclose(result.points[..., 2], scene.depth, atol=1e-5)
         with self.assertRaisesRegex(gestalt.InputError, "depth_kind: 'polar' is not one of plain, radial, rotated"):
             segmenter(scene.colour, distance, camera, depth_kind="polar")
-        with self.assertRaisesRegex(gestalt.InputError, "labels: 'coco' is none of osd, objects, colours"):
+        with self.assertRaisesRegex(gestalt.InputError, "labels: 'coco' is not one of osd, objects, colours"):
             gestalt.read_scene(demo, labels="coco")
         self.assertLess(gestalt.read_scene(demo, depth_kind="radial").depth.max(), scene.depth.max())
 
