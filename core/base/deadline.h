@@ -18,7 +18,7 @@ class GESTALT_EXPORT Deadline {
   /// budget milliseconds from now, of which spent are gone already; never where the budget is 0.
   static Deadline within(int budget, double spent);
 
-  /// Throws TimeError once the time is over, with what was at work ("solver 'alpha'"). For every round of a loop that
+  /// Throws TimeError once the time is over, with what was running ("solver 'alpha'"). For every round of a loop that
   /// may be long: costs a look at the clock.
   void require(std::string_view at_work) const;
 

@@ -13,7 +13,7 @@ namespace gestalt {
 
 /// work(0), ..., work(count - 1) in parallel. Throws the first error by index, so that it is the same in every run;
 /// what comes after a failure may be left out, what comes before it is done. (tbb::parallel_for would cancel whatever
-/// is running, and with it the loops within, which then end early without a sign.) Whoever includes this links TBB.
+/// is running, and with it the loops within, which then end early without a sign.) Targets that include this link TBB.
 template <class Work>
 void for_all(std::size_t count, const Work& work) {
   std::vector<std::exception_ptr> failures(count);

@@ -17,7 +17,7 @@ namespace gestalt {
 /// stack for each.
 constexpr std::size_t deepest_json = 200;
 
-/// The values of a JSON text, which may come from a stranger. Throws InputError, with the name and the place, for what
+/// The values of a JSON text, which may be untrusted. Throws InputError, with the name and the place, for what
 /// is not valid JSON, a number that no double holds, more levels than the deepest, a key that an object has twice, and
 /// values that would take memory far beyond the size of the text.
 GESTALT_EXPORT nlohmann::json parse_json(const std::string& name, std::string_view text,

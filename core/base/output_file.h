@@ -46,7 +46,7 @@ struct OutputFile {
 /// made. Where the file's name is a symbolic link, the file takes its place; where a folder below what the user named
 /// is one, throws OutputError. Folders are opened one below the other, so that none can be made a link meanwhile.
 /// Others that write files into the same folders by these functions - threads, processes - wait until all have their
-/// names, 30 s at most, after which they throw OutputError with the process that is at work.
+/// names, 30 s at most, after which they throw OutputError with the process that holds the lock.
 GESTALT_EXPORT void write_files(const std::vector<OutputFile>& files);
 
 /// The same with a file that tells that all others are there: the old one is removed before any other gets its final

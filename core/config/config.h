@@ -30,7 +30,7 @@ struct LevelConfig {
   std::vector<ComponentConfig> relations;  ///< not empty
   ComponentConfig classifier;
   int minimum_size = 0;  ///< pixels of a Kinect (pixel_density()); smaller patches have no relations at this level
-  int negatives = 0;     ///< largest number of negative pairs that learning takes of one scene
+  int negatives = 0;     ///< largest number of negative pairs of one scene that training uses
 };
 
 /// A resolved, validated config.
@@ -48,7 +48,7 @@ struct Config {
   ParameterValues figure_ground;        ///< decision.figure_ground, of FigureGroundParams
 };
 
-/// A config file with everything it extends and the command line's overrides merged (docs/config.md tells how), before
+/// A config file with everything it extends and the command line's overrides merged (see docs/config.md), before
 /// it is validated: that needs the plugins, whose directories only the config knows. Keeps for every value where it
 /// came from.
 class GESTALT_EXPORT ConfigTree {
@@ -75,7 +75,7 @@ class GESTALT_EXPORT ConfigTree {
   /// `file:line:column: path: message`, lines and columns counted from 1, with the closest valid key.
   Config resolve(const Registry& registry) const;
 
-  /// The resolved config as YAML that reads back to the same config; each line ends with a comment that tells where its
+  /// The resolved config as YAML that reads back to the same config; each line ends with a comment that says where its
   /// value came from (`# default.yaml:12`, `# --set`, `# default`).
   std::string print(const Registry& registry) const;
 
@@ -94,7 +94,7 @@ GESTALT_EXPORT std::filesystem::path default_config();
 /// Everything in the config that surfaces and their roles follow from, as text: equal texts give equal ones.
 GESTALT_EXPORT std::string canonical_surfaces(const Config& config);
 
-/// Everything in the config that changes a result, as text; the model is no part of it.
+/// Everything in the config that changes a result, as text; the model is not part of it.
 GESTALT_EXPORT std::string canonical(const Config& config);
 
 /// Hexadecimal hash (FNV-1a, 64 bits) of everything in the config, but the sensor, that changes the relation values of

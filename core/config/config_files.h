@@ -16,7 +16,7 @@ namespace gestalt::config {
 /// comes back to itself or is longer than 16 files; other problems are added.
 std::vector<Node> read_files(const std::filesystem::path& file, Problems& problems);
 
-/// The root of a text that is no file, and so extends none; name is what errors and provenance call it, and relative
+/// The root of a text that is not a file and so extends none; name is what errors and provenance call it, and relative
 /// paths in it are relative to the current folder. A mapping, or empty with a problem added. Throws ConfigError for
 /// what is not valid YAML.
 Node read_root(const std::string& name, const std::string& text, Problems& problems);

@@ -42,7 +42,7 @@ struct Node {
   std::vector<Entry> entries;  ///< list (keys are empty) or mapping, in the order of the text
   Place place;
 
-  /// Null when this is no mapping or has no such key.
+  /// Null when this is not a mapping or has no such key.
   const Node* find(std::string_view key) const;
 
   /// What an error says was got: "'text'", "a list", "a mapping" or "nothing".

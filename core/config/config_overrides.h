@@ -10,7 +10,7 @@
 namespace gestalt::config {
 
 /// The layer that an override of the command line stands for: a.b=v is {a: {b: v}}. The value is plain text, or YAML
-/// when it begins with [ or {. A null node, with a problem added, when the text is no path=value.
+/// when it begins with [ or {. A null node, with a problem added, when the text is not path=value.
 Node read_override(const std::string& text, Problems& problems);
 
 }  // namespace gestalt::config

@@ -9,7 +9,7 @@
 
 namespace gestalt::config {
 
-/// What is wrong with a config, collected so that all of it is told at once.
+/// What is wrong with a config, collected so that all of it is reported at once.
 class Problems {
  public:
   /// path is that of the value, e.g. structural.minimum_size; empty when no single value is at fault.

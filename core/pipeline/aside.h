@@ -20,7 +20,7 @@ class Aside {
     group_.cancel();
     try {
       arena_.execute([&] { group_.wait(); });
-    } catch (...) {  // whoever does not wait is on the way out with an exception of its own
+    } catch (...) {  // a caller that does not wait is leaving with another exception
     }
   }
   Aside(const Aside&) = delete;

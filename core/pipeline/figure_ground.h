@@ -27,8 +27,8 @@ namespace gestalt {
 /// of a container, all that is beyond, beside or below the stages, what lies farther away than max_depth, and small
 /// dents of a stage, which are errors of depth. All surfaces in a support's plane belong to it, so that a table stays
 /// one when objects divide it. A plane is as thick as its own points are rough, up to a hundredth of its size. A plane
-/// that has something behind it and nothing in front is no support, so that in a frame full of one object everything is
-/// object; a frame full of one plane is background. Without a support all within max_depth is object; without any
+/// that has something behind it and nothing in front is not a support, so that in a frame full of one object everything
+/// is object; a frame full of one plane is background. Without a support all within max_depth is object; without any
 /// surface the result is empty.
 GESTALT_EXPORT std::vector<Role> find_roles(const Frame& frame, const SurfaceSet& surfaces,
                                             const FigureGroundParams& params);

@@ -70,8 +70,8 @@ struct ExpectedModel {
 };
 
 /// Reads the models for a config; the assembly level only when it is expected. Throws ModelError, naming the file and
-/// the remedy, when the file is no model, lacks a level, was made by another classifier plugin, or has other relation
-/// values (the difference is named).
+/// the remedy, when the file is not a model, lacks a level, was made by another classifier plugin, or has other
+/// relation values (the difference is named).
 GESTALT_EXPORT Models read_models(const std::filesystem::path& file, const ExpectedModel& structural,
                                   const std::optional<ExpectedModel>& assembly);
 

@@ -10,7 +10,7 @@
 
 namespace gestalt {
 
-/// Reading the fields of a model that may come from a stranger's file. Each throws ModelError, naming the key, when the
+/// Reading the fields of a model that may be untrusted. Each throws ModelError, naming the key, when the
 /// field is absent or is anything else than what is asked for.
 
 /// The member of an object, of whatever type.
@@ -34,7 +34,7 @@ GESTALT_EXPORT std::string text_field(const nlohmann::json& object, const std::s
 /// A list of texts.
 GESTALT_EXPORT std::vector<std::string> texts_field(const nlohmann::json& object, const std::string& key);
 
-/// A count: an integer that is not negative.
+/// A count: a non-negative integer.
 GESTALT_EXPORT std::size_t count_field(const nlohmann::json& object, const std::string& key);
 
 }  // namespace gestalt

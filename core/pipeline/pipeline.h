@@ -71,7 +71,7 @@ class GESTALT_EXPORT Pipeline {
 
   /// The sensor's, which perceive() takes frames to have.
 
-  /// What a model of a level must be like. Throws ConfigError when the config does without the level.
+  /// What a model of a level must be like. Throws ConfigError when the config lacks the level.
   ExpectedModel expected_model(Level level) const;
 
   /// Reads the config's model. Throws ModelError when the config names none, or it does not fit.

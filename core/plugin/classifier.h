@@ -58,7 +58,7 @@ class GESTALT_EXPORT Classifier {
   /// Deterministic for equal samples. Throws ModelError when the samples have only one class or no row.
   virtual std::unique_ptr<Predictor> train(const Samples& samples) const = 0;
 
-  /// Rebuilds a predictor for rows of the given number of columns. The state may come from a stranger's file: throws
+  /// Rebuilds a predictor for rows of the given number of columns. The state may be untrusted: throws
   /// ModelError for anything that is not a complete, consistent state.
   virtual std::unique_ptr<Predictor> restore(const nlohmann::json& state, std::size_t columns) const = 0;
 };

@@ -24,7 +24,7 @@ class GESTALT_EXPORT Fitter {
   virtual std::shared_ptr<const SurfaceModel> fit(std::span<const Eigen::Vector3f> points) const = 0;
 
   /// Fits one surface to the joined points of two patches that this fitter has modelled before, a and b. The default
-  /// fits anew; a fitter whose normal equations add up overrides it.
+  /// fits again; a fitter whose normal equations add up overrides it.
   virtual std::shared_ptr<const SurfaceModel> fit_merged(const SurfaceModel& a,
                                                          std::span<const Eigen::Vector3f> points_a,
                                                          const SurfaceModel& b,

@@ -33,11 +33,11 @@ struct RejectedLibrary {
 class GESTALT_EXPORT Registry {
  public:
   /// Opens every *.so of the directories, in order of directory, then of file name. A directory that does not exist is
-  /// remembered as searched and is no error. Throws PluginError when two libraries offer the same kind and name.
+  /// remembered as searched and is not an error. Throws PluginError when two libraries offer the same kind and name.
   explicit Registry(std::vector<std::filesystem::path> directories);
 
   /// Adds a component of the running program, such as one of another language, before the registry is used. info.kind
-  /// is set; info.library tells where it comes from, in messages. Throws PluginError when there is one of that name.
+  /// is set; info.library is the origin that messages name. Throws PluginError when there is one of that name.
   template <class Kind>
   void add(ComponentInfo info, Factory<Kind> factory);
 

@@ -32,7 +32,7 @@ struct NoiseEstimate {
 /// In a bin of depths, windows of more than twice the lower quartile hold an edge or a curved surface and are left out;
 /// the bin's sigma is the median of the others, and no less than that of the readings' steps, step / sqrt(12), where
 /// all readings of a window may fall on one. sigma(z) is the polynomial nearest to the bins in relative error, weighted
-/// by windows; windows of more than twice that are left out in turn, and it is fitted anew.
+/// by windows; windows of more than twice that are left out in turn, and it is fitted again.
 class GESTALT_EXPORT NoiseCalibration {
  public:
   void add(const Frame& frame);

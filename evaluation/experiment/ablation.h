@@ -22,7 +22,7 @@ struct OverrideSet {
 std::vector<OverrideSet> read_override_sets(const std::filesystem::path& file);
 
 /// Every combination of the values of axes, each "path=v1,v2,..."; the last axis changes fastest. A set is named after
-/// its overrides. Throws ConfigError for what is no axis.
+/// its overrides. Throws ConfigError for what is not an axis.
 std::vector<OverrideSet> grid(const std::vector<std::string>& axes);
 
 enum class EachMode { only, without };
@@ -31,12 +31,12 @@ enum class EachMode { only, without };
 const std::vector<std::string>& each_targets();
 
 /// A variant for each relation (or each value of them) of a level of the base's config: with only that one, or without
-/// it. Throws ConfigError for an unknown target, with the closest one, for a level that the config does without, and
+/// it. Throws ConfigError for an unknown target, with the closest one, for a level that the config lacks, and
 /// where nothing would be left.
 std::vector<Variant> each(const Variant& base, const Registry& registry, const std::string& target, EachMode mode);
 
 /// Names of the values that the relations of a level of a config give, in order. Throws ConfigError when the config
-/// does without the level.
+/// lacks the level.
 std::vector<std::string> level_values(const Config& config, const Registry& registry, Level level);
 
 /// A variant with its result, or null when it has none.

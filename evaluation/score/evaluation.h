@@ -43,7 +43,7 @@ struct OverlapBoundary {
   double detected = 0;  ///< share of regions with a segment of overlap F > 0.75
 };
 
-/// How well parts are told apart. Not a number when the ground truth holds no such part.
+/// How well parts are separated. Not a number when the ground truth holds no such part.
 struct PartScore {
   double weighted_overlap = 0;    ///< best intersection over union of each part, weighted by its size
   double over_segmentation = 0;   ///< share of the parts' pixels outside their best segment

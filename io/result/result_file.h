@@ -26,7 +26,7 @@ struct StoredResult {
   std::string warning;  ///< of files that lie beside it and are of another run; "" where there are none
 };
 
-/// Reads a result.json, which may come from a stranger: everything in it is checked before it is used. Throws
+/// Reads a result.json, which may be untrusted: everything in it is checked before it is used. Throws
 /// InputError naming the file, the place in it, what is wrong there and the remedy.
 GESTALT_EXPORT StoredResult read_result(const std::filesystem::path& file);
 

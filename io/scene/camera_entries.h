@@ -15,7 +15,7 @@
 namespace gestalt {
 
 /// A number as people and programs write it: 525, "5.25e2", +525, and 525,5 where a decimal comma cannot be taken for
-/// thousands. Nothing for what is no finite number.
+/// thousands. Nothing for what is not a finite number.
 std::optional<double> number_of(std::string_view text);
 
 /// The keys of a camera file with what stands under them, and what is found wrong with them.
@@ -43,7 +43,7 @@ class CameraEntries {
   /// is not there, nothing when it holds anything else, which is kept for check().
   std::optional<std::vector<double>> numbers(const std::string& key);
 
-  /// What is written under a key, in small letters; "" when it is no word.
+  /// What is written under a key, in small letters; "" when it is not a word.
   std::string word(const std::string& key) const;
 
   /// Keeps what is wrong with a key's value; of {} the map itself.
@@ -51,7 +51,7 @@ class CameraEntries {
   void complain_of_key(const std::string& key, const std::string& message);
 
   /// Throws InputError with all that was wrong, each `file:line:column: message`, counted from 1. format, where it is
-  /// not empty, tells what the file was taken for.
+  /// not empty, says what the file was taken for.
   void check(const std::string& format = "") const;
 
  private:

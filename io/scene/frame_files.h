@@ -23,7 +23,7 @@ FrameFiles files_of_scene_folder(const std::filesystem::path& folder);
 bool has_scene_images(const std::filesystem::path& folder);
 
 /// The depth images of a recording, in natural order: those of its folder with "depth" in its name, else its images
-/// with "depth" in their names. Empty: the folder is no recording.
+/// with "depth" in their names. Empty: the folder is not a recording.
 std::vector<std::filesystem::path> depth_images(const std::filesystem::path& folder);
 
 /// The recording that a depth image lies in: the folder of its folder, where that is one of depth images
@@ -36,7 +36,7 @@ std::filesystem::path recording_of(const std::filesystem::path& depth);
 /// depth's has "depth". Throws InputError where there are colour images, but none can be told to be its own.
 FrameFiles files_of_frame(const std::filesystem::path& depth);
 
-/// "rgb.jpg, notes.txt and 12 more are" of a folder, for messages that tell what was seen; "nothing is".
+/// "rgb.jpg, notes.txt and 12 more are" of a folder, for messages that name what was found; "nothing is".
 std::string seen_in(const std::filesystem::path& folder);
 
 }  // namespace gestalt

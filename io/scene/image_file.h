@@ -26,7 +26,7 @@ GESTALT_EXPORT bool is_depth_image(const std::filesystem::path& file);
 cv::Mat read_colour_image(const std::filesystem::path& file, std::vector<std::string>& notes);
 
 /// CV_16UC1: whole numbers in a unit that the file does not tell; or CV_32FC1: floats, metres by convention, where what
-/// is no number is no measurement.
+/// is not a number is not a measurement.
 cv::Mat read_depth_image(const std::filesystem::path& file);
 
 }  // namespace gestalt

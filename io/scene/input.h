@@ -23,7 +23,7 @@ struct CameraFile {
   Camera camera;                      ///< width and height may be 0: those of the images
   std::optional<double> depth_scale;  ///< metres per unit of depth in whole numbers, in [1e-6, 1]; nothing: not told
   std::filesystem::path file;         ///< where it was read; empty when made in memory
-  Lens lens{};                        ///< of a camera that is no pinhole; camera is its matrix
+  Lens lens{};                        ///< of a camera that is not a pinhole; camera is its matrix
   std::vector<std::string> notes{};   ///< what was guessed as it was read
 };
 
@@ -47,7 +47,7 @@ enum class LabelScheme {
   colours   ///< the commonest colour is background, every other an object
 };
 
-/// What is told of scenes beside what their files tell. It goes before all that a file says.
+/// What the user says about scenes. It overrides everything in their files.
 struct ReadOptions {
   ReadOptions() = default;
   /// Implicit, so that a camera can be given where options can.

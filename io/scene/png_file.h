@@ -10,7 +10,7 @@
 
 namespace gestalt {
 
-// All throw InputError naming the file and the remedy for a file that is no complete PNG, that has more than 2^26
+// All throw InputError naming the file and the remedy for a file that is not a complete PNG, that has more than 2^26
 // pixels, or has another kind of pixels than said.
 
 /// Any image (grey, colour, palette, with or without alpha, of up to 16 bits) as CV_8UC3, blue green red; alpha is

@@ -47,7 +47,7 @@ struct SceneFormat {
 /// Every format; the first is the scene folder.
 GESTALT_EXPORT std::span<const SceneFormat> scene_formats();
 
-/// That of a path, going by its names; null when it is no scene.
+/// That of a path, going by its names; null when it is not a scene.
 GESTALT_EXPORT const SceneFormat* scene_format_of(const std::filesystem::path& path);
 
 /// That of a name; null when there is none.

@@ -22,7 +22,7 @@ std::optional<Camera> virtual_camera(const PointCloud& cloud);
 Camera filled_camera(const PointCloud& cloud, const Camera& camera);
 
 /// Share of the places in the image, of a few pixels each, where points lie far behind others: few where the points
-/// were seen from their origin, most where they are told in another frame.
+/// were seen from their origin, most where they are given in another frame.
 double overlapping_share(const PointCloud& cloud, const Camera& camera);
 
 /// The same view in an image of another size.
