@@ -224,7 +224,7 @@ class Ply(FormatsTest):
             ("ends within vertex", head.replace(f"vertex {len(vertices)}", f"vertex {len(vertices) + 1}")),
             ("must be a colour from 0 to 1", head.replace("uchar red", "char red")),
             ("is not a line of a PLY header", head.replace("comment", "remark")),
-            ("the PLY header breaks off here", head[:100]),
+            ("the PLY header ends here", head[:100]),
             ("'vertex'", "ply\nformat ascii 1.0\nend_header\n"),
             ("wrong.ply:1: a PLY file begins with 'ply', not 'plyx'", head.replace("ply", "plyx", 1)),
             ("ends within the elements before the vertices", head.replace("element vertex", "element a 9999999\nproperty int b\nelement vertex")),
@@ -488,7 +488,7 @@ R: [1.0, 0.0, 0.0, 0.0, 1.0, 0.0, 0.0, 0.0, 1.0]
         file = self.work / "info.yaml"
         for told, text in (
             ("info.yaml:5:19: the distortion model 'fov' cannot be read", self.printed.replace("plumb_bob", "fov").replace("D: [0.0", "D: [0.1")),
-            ("K has skew axes", self.printed.replace("K: [525.0, 0.0", "K: [525.0, 5.5")),
+            ("K has skewed axes", self.printed.replace("K: [525.0, 0.0", "K: [525.0, 5.5")),
             ("must have 9 numbers", self.printed.replace("K: [525.0,", "K: [")),
             ("K must be a list of numbers", self.printed.replace("319.5", "nine")),
             ("width is '6.5'; it must be a whole number", self.printed.replace("width: 640", "width: 6.5")),

@@ -359,7 +359,7 @@ class Layouts(FramesTest):
             self.expect_read(folder, "--from", "frame")
             self.expect_read(folder)
         (folder / "associations.txt").write_text("1 a.png 2 b.png\n")
-        self.refused("associations.txt:1: which of the two is the depth image;", words=("info", folder))
+        self.refused("associations.txt:1: cannot tell which of the two is the depth image;", words=("info", folder))
 
     def test_a_sequence_like_tums_with_its_own_camera(self):
         folder = self.recording("depth/8.png", "rgb/7.png", "camera.yaml", CAMERA + "depth_scale: 0.001\n")
