@@ -53,8 +53,9 @@ class StreamCommand : public testing::Test {
   void expect_frames(const Outcome& outcome, const Texts& names, std::size_t dropped) const {
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_EQ(names_of(lines_of(outcome)), names);
-    EXPECT_TRUE(outcome.err.starts_with("gestalt: " + std::to_string(names.size()) + (names.size() == 1 ? " frame, " : " frames, ") +
-                                        std::to_string(dropped) + " dropped, 0 failed; latency: median "))
+    EXPECT_TRUE(outcome.err.starts_with("gestalt: " + std::to_string(names.size()) +
+                                        (names.size() == 1 ? " frame, " : " frames, ") + std::to_string(dropped) +
+                                        " dropped, 0 failed; latency: median "))
         << outcome.err;
     EXPECT_EQ(occurrences("\n", outcome.err), 1) << outcome.err;
     for (const std::string& name : names) EXPECT_TRUE(fs::exists(out / name / "result.json")) << name;

@@ -286,7 +286,8 @@ TEST(Info, SaysWhatAFileIs) {
     EXPECT_TRUE(text.out.starts_with("kind: " + kind + "\n")) << text.out;
   }
   expect_refused(run_gestalt({"info", folder.path() / "nothing"}), 3, {"nothing", "does not exist"});
-  expect_refused(run_gestalt({"info", folder.write("notes.md", "x")}), 3, {"an unknown kind", scene_extensions(" and ")});
+  expect_refused(run_gestalt({"info", folder.write("notes.md", "x")}), 3,
+                 {"an unknown kind", scene_extensions(" and ")});
   expect_refused(run_gestalt({"info", folder.write("notes.txt", "x")}), 3, {"is not a camera file"});
   expect_refused(run_gestalt({"info", synthetic_scene() / "rgb.png"}), 3, {"rgb.png", "no depth image", "--depth"});
 }
