@@ -19,7 +19,7 @@ namespace {
 /// A colour in OKLab, in which distances are about as large as they look (Ottosson 2020).
 using Lab = std::array<double, 3>;
 
-double distance(const Lab& a, const Lab& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
+double apart(const Lab& a, const Lab& b) { return std::hypot(a[0] - b[0], a[1] - b[1], a[2] - b[2]); }
 
 cv::Vec3b to_bgr(const Lab& lab) {
   const auto cube = [](double x) { return x * x * x; };
@@ -81,10 +81,10 @@ std::vector<cv::Vec3b> segment_colours(const Segmentation& segmentation) {
       double nearest = clearly_different;
       for (const int label : near[i + 1])
         if (const int other = chosen[std::size_t(label) - 1]; other != none)
-          nearest = std::min(nearest, distance(colours[c], colours[std::size_t(other)]));
+          nearest = std::min(nearest, apart(colours[c], colours[std::size_t(other)]));
       double to_any = 2 * clearly_different;
       for (std::size_t other = 0; other < colours.size(); ++other)
-        if (uses[other] > 0) to_any = std::min(to_any, distance(colours[c], colours[other]));
+        if (uses[other] > 0) to_any = std::min(to_any, apart(colours[c], colours[other]));
       // Unlike the neighbours first; then one that is seldom used, and unlike all others.
       const double score = nearest - 0.02 * uses[c] + 0.1 * to_any;
       if (score > best) best = score, chosen[i] = int(c);
