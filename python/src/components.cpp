@@ -33,7 +33,7 @@ Owned owned(py::object object) {
 /// f() with the interpreter held; what Python raises becomes the core's error E, after whose component it is. A
 /// KeyboardInterrupt comes out of the call as such all the same.
 template <class E, class F>
-auto in_python(const std::string& component, F f) {
+auto calling_python(const std::string& component, F f) {
   return hold_interpreter([&] {
     try {
       return f();
@@ -200,7 +200,7 @@ class PythonMeasure final : public Measure {
 
   void measure(std::span<const SurfacePair> pairs, std::span<double> values) const override {
     if (pairs.empty()) return;
-    in_python<PluginError>(who_, [&] {
+    calling_python<PluginError>(who_, [&] {
       py::array_t<std::int64_t> numbers({pairs.size(), std::size_t{2}});
       for (std::size_t i = 0; i < pairs.size(); ++i)
         numbers.mutable_at(i, 0) = pairs[i].a, numbers.mutable_at(i, 1) = pairs[i].b;
@@ -229,7 +229,7 @@ class PythonRelation final : public Relation {
   bool needs_colour() const override { return needs_colour_; }
   bool needs_border() const override { return needs_border_; }
   std::unique_ptr<Measure> bind(const Scene& scene) const override {
-    return in_python<PluginError>(who_, [&] {
+    return calling_python<PluginError>(who_, [&] {
       const auto view = std::make_shared<SceneView>(scene);
       return std::make_unique<PythonMeasure>(who_, view, owned(call_python(object_->attr("bind"), view)));
     });
@@ -257,8 +257,8 @@ class PythonPredictor final : public Predictor {
 
   void probabilities(std::span<const double> values, std::span<double> p) const override {
     if (p.empty()) return;
-    in_python<PluginError>(who_,
-                           [&] { read_rows(call_python(*predict_, matrix(values, p.size())), p.size(), who_, p); });
+    calling_python<PluginError>(
+        who_, [&] { read_rows(call_python(*predict_, matrix(values, p.size())), p.size(), who_, p); });
     for (const double one : p)
       if (!(one >= 0 && one <= 1))
         throw PluginError(who_ + " returned the probability " + std::to_string(one) + ", which is not in [0, 1]");
@@ -278,7 +278,7 @@ class PythonClassifier final : public Classifier {
 
   std::unique_ptr<Predictor> train(const Samples& samples) const override {
     require_both_classes(samples);
-    const nlohmann::json state = in_python<PluginError>(who_, [&] {
+    const nlohmann::json state = calling_python<PluginError>(who_, [&] {
       py::array_t<bool> positive{py::ssize_t(samples.rows())};
       for (std::size_t i = 0; i < samples.rows(); ++i) positive.mutable_at(i) = samples.positive[i] != 0;
       return json_of(call_python(object_->attr("train"), matrix(samples.values, samples.rows()), positive));
@@ -287,7 +287,7 @@ class PythonClassifier final : public Classifier {
   }
 
   std::unique_ptr<Predictor> restore(const nlohmann::json& state, std::size_t columns) const override {
-    return in_python<ModelError>(who_, [&] {
+    return calling_python<ModelError>(who_, [&] {
       return std::make_unique<PythonPredictor>(who_, state,
                                                owned(call_python(object_->attr("restore"), object_of(state), columns)));
     });
@@ -308,7 +308,7 @@ class PythonSolver final : public Solver {
   bool takes_all_pairs() const override { return takes_all_pairs_; }
 
   std::vector<int> solve(const Graph& graph) const override {
-    return in_python<PluginError>(who_, [&] {
+    return calling_python<PluginError>(who_, [&] {
       const std::size_t edges = graph.edges.size(), nodes = graph.sizes.size();
       py::array_t<std::int64_t> sizes{py::ssize_t(nodes)}, pairs({edges, std::size_t{2}});
       py::array_t<double> p{py::ssize_t(edges)};
@@ -343,7 +343,7 @@ void add(Registry& registry, const std::string& name, const py::object& type) {
   const std::string who = std::string(kind_name<Kind>) + " '" + name + "', written in Python";
   std::vector<Parameter> declared;
   ComponentInfo info;
-  in_python<PluginError>(who, [&] {
+  calling_python<PluginError>(who, [&] {
     declared = declarations(type);
     info = {"", name, py::cast<std::string>(type.attr("version")), py::cast<std::string>(type.attr("description")()),
             py::cast<std::string>(type.attr("__module__")) + "." + py::cast<std::string>(type.attr("__qualname__")) +
@@ -351,7 +351,7 @@ void add(Registry& registry, const std::string& name, const py::object& type) {
   });
   const auto shared = owned(type);
   registry.add<Kind>(info, Factory<Kind>{declared, [who, shared, declared](const ParameterValues& given) {
-                                           return in_python<PluginError>(who, [&]() -> std::unique_ptr<Kind> {
+                                           return calling_python<PluginError>(who, [&]() -> std::unique_ptr<Kind> {
                                              return std::make_unique<Component>(who, make(*shared, declared, given));
                                            });
                                          }});
