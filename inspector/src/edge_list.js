@@ -12,10 +12,10 @@ const row_height = 26; // px, as in style.css
 
 const by = (key) => (x, y) => key(y) - key(x) || x.index - y.index;
 const orders = {
-  wrongest: { name: "Wrongest first", needs_truth: true, compare: by((edge) => edge.error ?? -1) },
+  wrongest: { name: "Largest error first", needs_truth: true, compare: by((edge) => edge.error ?? -1) },
   doubtful: { name: "Least certain first", compare: by((edge) => edge.doubt) },
-  likely: { name: "Likeliest first", compare: by((edge) => edge.p) },
-  unlikely: { name: "Unlikeliest first", compare: by((edge) => -edge.p) },
+  likely: { name: "Most likely first", compare: by((edge) => edge.p) },
+  unlikely: { name: "Least likely first", compare: by((edge) => -edge.p) },
   patches: { name: "By patch", compare: (x, y) => x.index - y.index },
 };
 

@@ -181,7 +181,7 @@ export const tell_patch = (scene, cut, patch, { point = null, edges = 6, choose 
       element("div", { class: "dim" }, !touching.length
           ? "No edges."
           : edges
-            ? `${touching.length} ${touching.length === 1 ? "edge" : "edges"}, the likeliest first`
+            ? `${touching.length} ${touching.length === 1 ? "edge" : "edges"}, most likely first`
             : `${touching.length} ${touching.length === 1 ? "edge" : "edges"}, in the list below`),
       touching.slice(0, edges).map((edge) => edge_row(scene, cut, edge, patch, choose)),
     ),
