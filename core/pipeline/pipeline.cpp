@@ -242,8 +242,11 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
   if (assembly_) {
     const Stopwatch watch(percept.times.assembly);
     const double minimum_size = assembly_->minimum_size * percept.pixel_density;
-    percept.assembly = relate(non_neighbour_pairs(percept.surfaces(), minimum_size), assembly_->relations, *measures);
-    percept.omitted_pairs = gestalt::omitted_pairs(percept.surfaces(), minimum_size);
+    const std::span<const Role> roles =
+        percept.separate ? std::span<const Role>(percept.roles) : std::span<const Role>();
+    percept.assembly =
+        relate(non_neighbour_pairs(percept.surfaces(), minimum_size, roles), assembly_->relations, *measures);
+    percept.omitted_pairs = gestalt::omitted_pairs(percept.surfaces(), minimum_size, roles);
   }
   measures.reset();
   call_component(name_of_observers(relations_), [&] { images->forget_observations(); });

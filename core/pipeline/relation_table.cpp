@@ -89,12 +89,18 @@ std::vector<SurfacePair> neighbour_pairs(const SurfaceSet& surfaces, double mini
 
 namespace {
 
-std::vector<std::size_t> large_surfaces(const SurfaceSet& surfaces, double minimum_size) {
+bool is_object(std::span<const Role> roles, std::size_t surface) {
+  return roles.empty() || roles[surface] == Role::object;
+}
+
+std::vector<std::size_t> large_objects(const SurfaceSet& surfaces, double minimum_size, std::span<const Role> roles) {
   std::vector<std::size_t> large;
   for (std::size_t i = 0; i < surfaces.surfaces.size(); ++i)
-    if (large_enough(surfaces, int(i), minimum_size)) large.push_back(i);
+    if (large_enough(surfaces, int(i), minimum_size) && is_object(roles, i)) large.push_back(i);
   return large;
 }
+
+std::size_t pairs_of(std::size_t count) { return count * (count - std::min<std::size_t>(count, 1)) / 2; }
 
 using Pair = std::pair<std::size_t, std::size_t>;  // the lower number first
 
@@ -135,11 +141,9 @@ std::vector<Pair> nearest_pairs(const SurfaceSet& surfaces, const std::vector<st
   return pairs;
 }
 
-/// The pairs of large surfaces, or the bounded number of them, neighbours included; sorted.
-std::vector<Pair> paired(const SurfaceSet& surfaces, double minimum_size) {
-  std::vector<std::size_t> large = large_surfaces(surfaces, minimum_size);
-  if (large.size() * (large.size() - std::min<std::size_t>(large.size(), 1)) / 2 <= most_assembly_pairs)
-    return all_pairs(large);
+/// The pairs of surfaces, or the bounded number of them, neighbours included; sorted.
+std::vector<Pair> paired(const SurfaceSet& surfaces, std::vector<std::size_t> large) {
+  if (pairs_of(large.size()) <= most_assembly_pairs) return all_pairs(large);
   std::stable_sort(large.begin(), large.end(), [&](std::size_t a, std::size_t b) {
     return surfaces.surfaces[a].pixels.size() > surfaces.surfaces[b].pixels.size();
   });
@@ -155,10 +159,11 @@ std::vector<Pair> paired(const SurfaceSet& surfaces, double minimum_size) {
 
 }  // namespace
 
-std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, double minimum_size) {
+std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, double minimum_size,
+                                             std::span<const Role> roles) {
   std::vector<SurfacePair> pairs;
   auto adjacency = surfaces.adjacencies.begin();
-  for (const auto& [first, second] : paired(surfaces, minimum_size)) {
+  for (const auto& [first, second] : paired(surfaces, large_objects(surfaces, minimum_size, roles))) {
     const int a = int(first), b = int(second);
     while (adjacency != surfaces.adjacencies.end() && std::pair(adjacency->a, adjacency->b) < std::pair(a, b))
       ++adjacency;
@@ -168,11 +173,14 @@ std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, double 
   return pairs;
 }
 
-std::size_t omitted_pairs(const SurfaceSet& surfaces, double minimum_size) {
-  const std::size_t large = large_surfaces(surfaces, minimum_size).size();
-  const std::size_t all = large * (large - std::min<std::size_t>(large, 1)) / 2;
+std::size_t omitted_pairs(const SurfaceSet& surfaces, double minimum_size, std::span<const Role> roles) {
+  const std::size_t all = pairs_of(large_objects(surfaces, minimum_size, roles).size());
   if (all <= most_assembly_pairs) return 0;
-  return all - neighbour_pairs(surfaces, minimum_size).size() - non_neighbour_pairs(surfaces, minimum_size).size();
+  const std::vector<SurfacePair> neighbours = neighbour_pairs(surfaces, minimum_size);
+  const auto of_objects = std::count_if(neighbours.begin(), neighbours.end(), [&](const SurfacePair& pair) {
+    return is_object(roles, std::size_t(pair.a)) && is_object(roles, std::size_t(pair.b));
+  });
+  return all - std::size_t(of_objects) - non_neighbour_pairs(surfaces, minimum_size, roles).size();
 }
 
 Measures::Measures(const Scene& scene, const std::vector<NamedRelation>& relations)

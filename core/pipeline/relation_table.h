@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "gestalt/core/plugin/relation.h"
+#include "gestalt/core/scene/role.h"
 
 namespace gestalt {
 
@@ -57,10 +58,13 @@ constexpr std::size_t most_paired_surfaces = 4000;
 /// Where that would be more than most_assembly_pairs: of the most_paired_surfaces largest (the first of equal ones)
 /// each with those that are nearest to it, by their mean pixels, for one half, and the largest ones with each other for
 /// the other half.
-GESTALT_EXPORT std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, double minimum_size);
+/// Where the surfaces' roles are given, only pairs of two objects.
+GESTALT_EXPORT std::vector<SurfacePair> non_neighbour_pairs(const SurfaceSet& surfaces, double minimum_size,
+                                                            std::span<const Role> roles = {});
 
-/// How many pairs it has left out that way.
-GESTALT_EXPORT std::size_t omitted_pairs(const SurfaceSet& surfaces, double minimum_size);
+/// How many pairs it has left out because there would be more than most_assembly_pairs.
+GESTALT_EXPORT std::size_t omitted_pairs(const SurfaceSet& surfaces, double minimum_size,
+                                         std::span<const Role> roles = {});
 
 /// Relations bound to one scene, each once for whatever level asks for it.
 class GESTALT_EXPORT Measures {

@@ -157,6 +157,23 @@ TEST(Pairs, OfTheAssemblyLevelAreAllOthers) {
   EXPECT_TRUE(pairs[1].border->border_3d.empty());
 }
 
+TEST(Pairs, OfTheAssemblyLevelAreOfTwoObjectsWhereRolesAreGiven) {
+  const auto known = row();
+  const std::vector<Role> roles{Role::background, Role::object, Role::object};
+  const auto pairs = non_neighbour_pairs(known.surfaces, 1, roles);
+  ASSERT_EQ(pairs.size(), 1u);
+  EXPECT_EQ(std::pair(pairs[0].a, pairs[0].b), std::pair(1, 2));
+}
+
+TEST(Pairs, OfTheBackgroundDoNotCountTowardsTheBound) {
+  std::vector<Role> roles(1200, Role::background);
+  std::fill(roles.begin(), roles.begin() + 600, Role::object);
+  EXPECT_EQ(non_neighbour_pairs(dots(1200), 10, roles).size(), 600u * 599 / 2);
+  EXPECT_EQ(omitted_pairs(dots(1200), 10, roles), 0u);
+  std::fill(roles.begin(), roles.begin() + 700, Role::object);
+  EXPECT_EQ(omitted_pairs(dots(1200), 10, roles), 700u * 699 / 2 - non_neighbour_pairs(dots(1200), 10, roles).size());
+}
+
 TEST(Pairs, AreOfPatchesThatAreLargeEnough) {
   const auto known = row();
   EXPECT_EQ(neighbour_pairs(known.surfaces, 400).size(), 1u);

@@ -31,6 +31,22 @@ TEST(HypothesisedLine, RunsFromPixelToPixel) {
   EXPECT_EQ(two.there.pixel(10, 10), 104 * width + 110);
 }
 
+TEST(PixelWalk, MeetsThePixelsOfTheLine) {
+  const auto known = test::render({{{100, 100, 1, 1}, {0, 0, 1}, {0, 0, -1}},
+                                   {{507, 3, 1, 1}, {0, 0, 2}, {0, 0, -1}},
+                                   {{99, 470, 1, 1}, {0, 0, 2}, {0, 0, -1}},
+                                   {{101, 101, 1, 1}, {0, 0, 2}, {0, 0, -1}}});
+  const Scene scene(known.frame, known.patches, known.surfaces);
+  for (const Outline& from : scene.outlines())
+    for (const Outline& to : scene.outlines()) {
+      const HypothesisedLine line(from, 0, to, 0, width);
+      for (const int steps : {1, 2, 10, 33, 400}) {
+        PixelWalk walk(line, steps);
+        for (int s = 1; s <= steps; ++s) ASSERT_EQ(walk.next(), line.pixel(s, steps)) << s << " of " << steps;
+      }
+    }
+}
+
 TEST(HypothesisedLine, IsStraightInSpace) {
   const TwoPixels two;
   const Frame& frame = two.known.frame;

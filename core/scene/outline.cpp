@@ -6,7 +6,8 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
-#include <cmath>
+
+#include "gestalt/core/scene/point_blocks.h"
 
 namespace gestalt {
 
@@ -48,23 +49,7 @@ std::vector<Outline> find_outlines(const Frame& frame, const SurfaceSet& surface
 }
 
 std::vector<NearestPoint> nearest_points(const Eigen::Matrix3Xf& from, const Eigen::Matrix3Xf& to, double share) {
-  const SquaredDistances distances_to(to);
-  std::vector<NearestPoint> nearest;
-  nearest.reserve(std::size_t(from.cols()));
-  Eigen::ArrayXf distances(to.cols());
-  for (Eigen::Index i = 0; i < from.cols(); ++i) {
-    distances_to(from.col(i), distances);
-    const float smallest = distances.minCoeff();
-    nearest.push_back(
-        {smallest, int(i), int(std::find(distances.begin(), distances.end(), smallest) - distances.begin())});
-  }
-  const auto kept = std::ptrdiff_t(std::ceil(share * double(nearest.size())));
-  std::nth_element(
-      nearest.begin(), nearest.begin() + kept - 1, nearest.end(), [](const NearestPoint& x, const NearestPoint& y) {
-        return x.squared_distance != y.squared_distance ? x.squared_distance < y.squared_distance : x.from < y.from;
-      });
-  nearest.erase(nearest.begin() + kept, nearest.end());
-  return nearest;
+  return nearest_points(PointBlocks(from), PointBlocks(to), share);
 }
 
 std::vector<int> spread_columns(const Outline& outline, int count) {

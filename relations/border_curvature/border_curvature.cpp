@@ -3,9 +3,14 @@
 
 #include "border_curvature.h"
 
+#include <tbb/parallel_for.h>
+
 #include <Eigen/Eigenvalues>
 #include <algorithm>
 #include <cmath>
+#include <cstdint>
+#include <cstring>
+#include <limits>
 #include <numbers>
 #include <vector>
 
@@ -19,6 +24,45 @@ struct Support {
   Eigen::Vector3f normal;
 };
 
+/// How many pixels from each on, to the right, have its label; at most 255.
+cv::Mat_<std::uint8_t> runs_of(const cv::Mat_<int>& labels) {
+  constexpr int most = std::numeric_limits<std::uint8_t>::max();
+  cv::Mat_<std::uint8_t> runs(labels.size());
+  tbb::parallel_for(0, labels.rows, [&](int v) {
+    const int* label = labels[v];
+    int run = 0;
+    for (int u = labels.cols - 1; u >= 0; --u) {
+      run = u + 1 < labels.cols && label[u] == label[u + 1] ? std::min(run + 1, most) : 1;
+      runs[v][u] = std::uint8_t(run);
+    }
+  });
+  return runs;
+}
+
+/// Sums of points, coordinate by coordinate at once.
+class PointSum {
+ public:
+  /// Of differences to the origin.
+  explicit PointSum(const cv::Vec3f& origin) : origin_{origin[0], origin[1], origin[2], 0} {}
+
+  /// Takes points from first up to, but without, end; all is the end of the points that there are.
+  void add(const cv::Vec3f* first, const cv::Vec3f* end, const cv::Vec3f* all) {
+    const cv::Vec3f* const last = std::min(end, all - 1);
+    for (; first < last; ++first) {
+      Four p;  // the fourth is of the next point, and of no use
+      std::memcpy(&p, first, sizeof(p));
+      sum_ += p - origin_;
+    }
+    if (first < end) sum_ += Four{(*first)[0], (*first)[1], (*first)[2], 0} - origin_;
+  }
+
+  Eigen::Vector3f sum() const { return {sum_[0], sum_[1], sum_[2]}; }
+
+ private:
+  using Four = float __attribute__((vector_size(4 * sizeof(float))));
+  Four origin_, sum_{};
+};
+
 float angle(const Eigen::Vector3f& x, const Eigen::Vector3f& y) { return std::acos(std::clamp(x.dot(y), -1.f, 1.f)); }
 
 class BorderCurvatureMeasure final : public Measure {
@@ -28,7 +72,8 @@ class BorderCurvatureMeasure final : public Measure {
         surfaces_(scene.surfaces()),
         radius_(params.support),
         samples_(std::size_t(params.samples)),
-        local_(params.normals == "local") {}
+        local_(params.normals == "local"),
+        runs_(runs_of(surfaces_.labels)) {}
 
   void operator()(const SurfacePair& pair, std::span<double> values) const override {
     values[0] = values[1] = 0;
@@ -59,18 +104,30 @@ class BorderCurvatureMeasure final : public Measure {
   Support support(int pixel, int surface) const {
     const int width = frame_.width(), u0 = pixel % width, v0 = pixel / width;
     const SurfaceModel& model = *surfaces_.surfaces[std::size_t(surface)].model;
-    Eigen::Vector3f sum = Eigen::Vector3f::Zero();
+    const cv::Vec3f *const points = frame_.points.ptr<cv::Vec3f>(), *const end_of_all = points + frame_.points.total();
+    PointSum sums(points[pixel]);
     Eigen::Matrix3f squares = Eigen::Matrix3f::Zero();
-    float count = 0;
+    int pixels = 0;
     const Eigen::Vector3f origin = frame_.point(pixel);
-    for (int v = std::max(0, v0 - radius_); v <= std::min(frame_.height() - 1, v0 + radius_); ++v)
-      for (int u = std::max(0, u0 - radius_); u <= std::min(width - 1, u0 + radius_); ++u) {
-        if (surfaces_.labels(v, u) != surface + 1) continue;
-        const Eigen::Vector3f p = frame_.point(v * width + u) - origin;
-        sum += p;
-        if (local_) squares += p * p.transpose();
-        count += 1;
+    const int left = std::max(0, u0 - radius_), right = std::min(width - 1, u0 + radius_);
+    for (int v = std::max(0, v0 - radius_); v <= std::min(frame_.height() - 1, v0 + radius_); ++v) {
+      const int* const label = surfaces_.labels[v];
+      const std::uint8_t* const run = runs_[v];
+      const cv::Vec3f* const row = points + v * width;
+      for (int u = left, end; u <= right; u = end) {
+        end = std::min(u + run[u], right + 1);
+        if (label[u] != surface + 1) continue;
+        sums.add(row + u, row + end, end_of_all);
+        pixels += end - u;
+        if (!local_) continue;
+        for (int own = u; own < end; ++own) {
+          const Eigen::Vector3f p = frame_.point(v * width + own) - origin;
+          squares += p * p.transpose();
+        }
       }
+    }
+    const auto count = float(pixels);
+    const Eigen::Vector3f sum = sums.sum();
     const Eigen::Vector3f mean = sum / count;
     const SurfaceModel::Foot foot = model.foot(mean + origin);
     if (!local_ || count < 3) return {foot.point, foot.normal};
@@ -87,6 +144,7 @@ class BorderCurvatureMeasure final : public Measure {
   const int radius_;
   const std::size_t samples_;
   const bool local_;
+  const cv::Mat_<std::uint8_t> runs_;
 };
 
 }  // namespace

@@ -6,6 +6,7 @@
 #include <algorithm>
 
 #include "gestalt/core/scene/hypothesised_line.h"
+#include "gestalt/core/scene/point_blocks.h"
 
 namespace gestalt {
 
@@ -26,7 +27,7 @@ class GapOcclusionMeasure final : public Measure {
  public:
   GapOcclusionMeasure(const Scene& scene, const GapOcclusion::Params& params)
       : frame_(scene.frame()), labels_(scene.surfaces().labels), outlines_(scene.outlines()), params_(params) {
-    for (const Outline& outline : outlines_) pixels_.push_back(in_image(outline, frame_.width()));
+    for (const Outline& outline : outlines_) pixels_.emplace_back(in_image(outline, frame_.width()));
   }
 
   void operator()(const SurfacePair& pair, std::span<double> values) const override {
@@ -46,12 +47,16 @@ class GapOcclusionMeasure final : public Measure {
 
   void add_lines(int from, int to, Sums& sums) const {
     const std::size_t f = std::size_t(from), t = std::size_t(to);
+    const int* labels = labels_.ptr<int>();
     for (const NearestPoint& ends : nearest_points(pixels_[f], pixels_[t], params_.share)) {
       const HypothesisedLine line(outlines_[f], ends.from, outlines_[t], ends.to, frame_.width());
       const int steps = std::min(line.length(), most_pixels + 1);
+      if (steps < 2) continue;
+      const double weight = 1.0 / (steps - 1);
+      PixelWalk walk(line, steps);
       for (int s = 1; s < steps; ++s) {
-        const int pixel = line.pixel(s, steps), label = labels_(pixel);
-        if (label != from + 1 && label != to + 1) add(pixel, line.depth(s, steps), 1.0 / (steps - 1), sums);
+        const int pixel = walk.next(), label = labels[pixel];
+        if (label != from + 1 && label != to + 1) add(pixel, line.depth(s, steps), weight, sums);
       }
     }
   }
@@ -69,7 +74,7 @@ class GapOcclusionMeasure final : public Measure {
   const cv::Mat_<int>& labels_;
   const std::vector<Outline>& outlines_;
   const GapOcclusion::Params params_;
-  std::vector<Eigen::Matrix3Xf> pixels_;
+  std::vector<PointBlocks> pixels_;
 };
 
 }  // namespace

@@ -4,15 +4,18 @@
 #include "hull_view.h"
 
 #include <algorithm>
-#include <limits>
+#include <array>
+#include <optional>
 
+#include "gestalt/core/base/wide.h"
 #include "gestalt/core/scene/hypothesised_line.h"
 
 namespace gestalt {
 
 namespace {
 
-constexpr int line_ends = 12, line_pixels = 10;
+constexpr int line_ends = 12, line_pixels = 10, line_steps = line_pixels + 1;
+constexpr int most_pixels = line_ends * line_pixels;  // of the lines from one end
 
 /// Over a line as its diameter.
 struct Sphere {
@@ -22,37 +25,127 @@ struct Sphere {
   bool contains(const Eigen::Vector3f& p) const { return (p - centre).squaredNorm() <= squared_radius; }
 };
 
+/// What the pixels of lines are added up of: of each line's end and each of the line's pixels, one after the other, the
+/// part that the end has in the place of the pixel and in the inverse of its depth (HypothesisedLine).
+struct LineParts {
+  std::array<int, most_pixels> u, v;
+  std::array<float, most_pixels> inverse;
+  int count = 0;
+};
+
+/// The parts of the ends of a surface when the lines go to them.
+LineParts parts_of(const Outline& outline, const std::vector<int>& ends, int width) {
+  LineParts parts;
+  for (const int end : ends) {
+    const int pixel = outline.pixels[std::size_t(end)];
+    for (int s = 1; s < line_steps; ++s) {
+      const auto i = std::size_t(parts.count++);
+      parts.u[i] = 2 * (pixel % width) * s;
+      parts.v[i] = 2 * (pixel / width) * s;
+      parts.inverse[i] = HypothesisedLine::inverse_depth(outline, end) * float(s);
+    }
+  }
+  return parts;
+}
+
+/// The parts of one end, by number, when lines go from it to so many pixels.
+void repeat_reversed(const LineParts& ends, int end, int count, LineParts& parts) {
+  for (int i = 0; i < count; ++i) {
+    const auto own = std::size_t((end + 1) * line_pixels - 1 - i % line_pixels);
+    parts.u[std::size_t(i)] = ends.u[own] + line_steps;  // for rounding
+    parts.v[std::size_t(i)] = ends.v[own] + line_steps;
+    parts.inverse[std::size_t(i)] = ends.inverse[own];
+  }
+  parts.count = count;
+}
+
+/// Pixels of lines, where each lies and what is level with it.
+struct LinePixels {
+  std::array<int, most_pixels> index;
+  std::array<float, most_pixels> nearest, farthest;  // level depths
+};
+
+GESTALT_WIDE void place(const LineParts& from, const LineParts& to, int width, const DepthNoise& noise, double slack,
+                        LinePixels& pixels) {
+  for (int i = 0; i < to.count; ++i) {
+    const unsigned u = unsigned(from.u[std::size_t(i)] + to.u[std::size_t(i)]) / unsigned(2 * line_steps);
+    const unsigned v = unsigned(from.v[std::size_t(i)] + to.v[std::size_t(i)]) / unsigned(2 * line_steps);
+    pixels.index[std::size_t(i)] = int(v) * width + int(u);
+    const float z = float(line_steps) / (from.inverse[std::size_t(i)] + to.inverse[std::size_t(i)]);
+    const float tolerance = sight_tolerance(noise, z, slack);
+    pixels.nearest[std::size_t(i)] = z - tolerance;
+    pixels.farthest[std::size_t(i)] = z + tolerance;
+  }
+}
+
+/// What is seen at them.
+struct Sights {
+  std::array<float, most_pixels> depth;
+  std::array<int, most_pixels> label;
+  std::array<int, most_pixels> is_behind;  // of another surface
+};
+
+struct Counts {
+  int behind = 0, hollow = 0, front = 0;
+};
+
+GESTALT_WIDE Counts count(const LinePixels& pixels, int size, int a, int b, Sights& sights) {
+  int behind = 0, hollow = 0, front = 0;
+  for (int i = 0; i < size; ++i) {
+    const float depth = sights.depth[std::size_t(i)];
+    const int own = int(sights.label[std::size_t(i)] == a) | int(sights.label[std::size_t(i)] == b);
+    const int is_behind = depth > pixels.farthest[std::size_t(i)];
+    const int is_front = int(depth < pixels.nearest[std::size_t(i)]) & int(depth > 0);
+    sights.is_behind[std::size_t(i)] = is_behind & ~own;
+    behind += is_behind & ~own;
+    hollow += is_behind & own;
+    front += is_front & ~own;
+  }
+  return {behind, hollow, front};
+}
+
 class HullViewMeasure final : public Measure {
  public:
   HullViewMeasure(const Scene& scene, double slack)
       : frame_(scene.frame()), labels_(scene.surfaces().labels), outlines_(scene.outlines()), slack_(slack) {
-    for (const Outline& outline : outlines_) ends_.push_back(spread_columns(outline, line_ends));
+    for (const Outline& outline : outlines_) {
+      ends_.push_back(spread_columns(outline, line_ends));
+      parts_.push_back(parts_of(outline, ends_.back(), frame_.width()));
+    }
   }
 
   void operator()(const SurfacePair& pair, std::span<double> values) const override {
     const int a = std::min(pair.a, pair.b), b = std::max(pair.a, pair.b);
-    const Sphere around = sphere(a, b);
-    double behind = 0, outside = 0, front = 0, hollow = 0, count = 0;
-    for (const int i : ends_[std::size_t(a)])
-      for (const int j : ends_[std::size_t(b)]) {
-        const HypothesisedLine line(outlines_[std::size_t(a)], i, outlines_[std::size_t(b)], j, frame_.width());
-        constexpr int steps = line_pixels + 1;
-        for (int s = 1; s < steps; ++s) {
-          const int pixel = line.pixel(s, steps), label = labels_(pixel);
-          const bool own = label == a + 1 || label == b + 1;
-          const Sight seen = sight(frame_, pixel, line.depth(s, steps), slack_);
-          count += 1;
-          if (seen == Sight::behind) {
-            (own ? hollow : behind) += 1;
-            if (!own && !around.contains(frame_.point(pixel))) outside += 1;
-          }
-          if (seen == Sight::front && !own) front += 1;
-        }
+    const LineParts& to = parts_[std::size_t(b)];
+    const float* depth = frame_.depth.ptr<float>();
+    const int* label = labels_.ptr<int>();
+    std::optional<Sphere> around;
+    Counts sums;
+    int outside = 0, size = 0;
+    LineParts from;
+    LinePixels pixels;
+    Sights sights;
+    for (std::size_t end = 0; end < ends_[std::size_t(a)].size(); ++end) {
+      repeat_reversed(parts_[std::size_t(a)], int(end), to.count, from);
+      place(from, to, frame_.width(), frame_.noise, slack_, pixels);
+      for (std::size_t i = 0; i < std::size_t(to.count); ++i) {
+        sights.depth[i] = depth[pixels.index[i]];
+        sights.label[i] = label[pixels.index[i]];
       }
-    values[0] = behind / count;
-    values[1] = outside / count;
-    values[2] = behind + front > 0 ? behind / (behind + front) : 0.0;
-    values[3] = hollow / count;
+      const Counts counts = count(pixels, to.count, a + 1, b + 1, sights);
+      size += to.count;
+      sums.behind += counts.behind;
+      sums.hollow += counts.hollow;
+      sums.front += counts.front;
+      if (counts.behind == 0) continue;
+      if (!around) around = sphere(a, b);
+      for (std::size_t i = 0; i < std::size_t(to.count); ++i)
+        if (sights.is_behind[i] && !around->contains(frame_.point(pixels.index[i]))) ++outside;
+    }
+    values[0] = double(sums.behind) / size;
+    values[1] = double(outside) / size;
+    values[2] = sums.behind + sums.front > 0 ? double(sums.behind) / (sums.behind + sums.front) : 0.0;
+    values[3] = double(sums.hollow) / size;
   }
 
  private:
@@ -71,6 +164,7 @@ class HullViewMeasure final : public Measure {
   const std::vector<Outline>& outlines_;
   const double slack_;
   std::vector<std::vector<int>> ends_;
+  std::vector<LineParts> parts_;
 };
 
 }  // namespace

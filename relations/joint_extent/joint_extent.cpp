@@ -7,6 +7,8 @@
 #include <cmath>
 #include <limits>
 
+#include "gestalt/core/scene/point_blocks.h"
+
 namespace gestalt {
 
 namespace {
@@ -17,24 +19,16 @@ class JointExtentMeasure final : public Measure {
  public:
   explicit JointExtentMeasure(const Scene& scene) {
     for (const Outline& outline : scene.outlines())
-      points_.emplace_back(outline.points(Eigen::all, spread_columns(outline, samples)));
+      points_.emplace_back(Eigen::Matrix3Xf(outline.points(Eigen::all, spread_columns(outline, samples))));
   }
 
   void operator()(const SurfacePair& pair, std::span<double> values) const override {
-    const Eigen::Matrix3Xf& a = points_[std::size_t(std::min(pair.a, pair.b))];
-    const Eigen::Matrix3Xf& b = points_[std::size_t(std::max(pair.a, pair.b))];
-    const SquaredDistances distances_to(b);
-    Eigen::ArrayXf distances(b.cols());
-    float farthest = 0;
-    for (Eigen::Index i = 0; i < a.cols(); ++i) {
-      distances_to(a.col(i), distances);
-      farthest = std::max(farthest, distances.maxCoeff());
-    }
-    values[0] = std::sqrt(farthest);
+    values[0] = std::sqrt(largest_squared_distance(points_[std::size_t(std::min(pair.a, pair.b))],
+                                                   points_[std::size_t(std::max(pair.a, pair.b))]));
   }
 
  private:
-  std::vector<Eigen::Matrix3Xf> points_;
+  std::vector<PointBlocks> points_;
 };
 
 }  // namespace

@@ -7,29 +7,25 @@
 #include <cmath>
 #include <limits>
 
+#include "gestalt/core/scene/point_blocks.h"
+
 namespace gestalt {
 
 namespace {
 
 class MinimumDistanceMeasure final : public Measure {
  public:
-  explicit MinimumDistanceMeasure(const Scene& scene) : outlines_(scene.outlines()) {}
+  explicit MinimumDistanceMeasure(const Scene& scene) {
+    for (const Outline& outline : scene.outlines()) points_.emplace_back(outline.points);
+  }
 
   void operator()(const SurfacePair& pair, std::span<double> values) const override {
-    const Eigen::Matrix3Xf& a = outlines_[std::size_t(std::min(pair.a, pair.b))].points;
-    const Eigen::Matrix3Xf& b = outlines_[std::size_t(std::max(pair.a, pair.b))].points;
-    const SquaredDistances distances_to(b);
-    Eigen::ArrayXf distances(b.cols());
-    float nearest = std::numeric_limits<float>::infinity();
-    for (Eigen::Index i = 0; i < a.cols(); ++i) {
-      distances_to(a.col(i), distances);
-      nearest = std::min(nearest, distances.minCoeff());
-    }
-    values[0] = std::sqrt(nearest);
+    values[0] = std::sqrt(smallest_squared_distance(points_[std::size_t(std::min(pair.a, pair.b))],
+                                                    points_[std::size_t(std::max(pair.a, pair.b))]));
   }
 
  private:
-  const std::vector<Outline>& outlines_;
+  std::vector<PointBlocks> points_;
 };
 
 }  // namespace
