@@ -101,6 +101,12 @@ SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene) const
   watch.reset();
   const OutputPath folder = OutputPath(output_) / scene_name(scene);
   remove_abandoned(folder);
+  if (const auto& level = found.percept.left_out) {
+    const std::string note = std::string("its time was over: decided without relations from the ") + name_of(*level) +
+                             " level on (on_timeout: coarse)";
+    input.notes.push_back(note);
+    std::cerr << "gestalt: note: " + scene.string() + ": " + note + "\n";
+  }
   const Segmentation& segmentation = found.segmentation;
   std::vector<OutputFile> more;
   if (debug_images_) more = debug_images(folder, found.percept, segmentation.graph);

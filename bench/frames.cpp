@@ -3,10 +3,20 @@
 
 #include "frames.h"
 
+#include <array>
+
 #include "gestalt/io/scene/input.h"
 #include "gestalt/synthesis/synthesis.h"
 
 namespace gestalt::bench {
+
+namespace {
+
+/// A heap, blocks and stacks, rows, a box full of things, a shelf.
+constexpr std::array crowded{Category::complex_scene, Category::packages, Category::groceries, Category::bin,
+                             Category::shelf};
+
+}  // namespace
 
 Frames::Frames(const std::vector<std::filesystem::path>& paths, int synthetic_count)
     : count_(std::size_t(synthetic_count)) {
@@ -17,7 +27,7 @@ Frames::Frames(const std::vector<std::filesystem::path>& paths, int synthetic_co
 
 LabelledFrame Frames::labelled(std::size_t i) const {
   if (scenes_.empty()) {
-    SyntheticScene scene = synthesize(Category::complex_scene, 1, int(i));
+    SyntheticScene scene = synthesize(crowded[i % crowded.size()], 1, int(i / crowded.size()));
     return {std::move(scene.frame), scene.ground_truth};
   }
   Input input = read_scene(scenes_[i]);

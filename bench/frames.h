@@ -14,7 +14,7 @@ struct LabelledFrame {
   cv::Mat_<std::uint16_t> ground_truth;  ///< 0 also where there is no depth; empty when the scene has none
 };
 
-/// What is measured on: the scenes below some paths or, without paths, synthetic complex scenes. Frames are made when
+/// What is measured on: the scenes below some paths or, without paths, synthetic crowded scenes. Frames are made when
 /// they are asked for, so that a program which holds one at a time has the peak memory of one.
 class Frames {
  public:

@@ -8,7 +8,7 @@
 namespace gestalt::bench {
 
 void add_scenes(CLI::App& app, Options& options) {
-  app.add_option("scenes", options.scenes, "Scenes or folders of scenes (default: synthetic complex scenes)");
+  app.add_option("scenes", options.scenes, "Scenes or folders of scenes (default: synthetic crowded scenes)");
 }
 
 void add_config(CLI::App& app, Options& options) {

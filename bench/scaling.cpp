@@ -56,7 +56,7 @@ void run(std::vector<Measured>& all, const gestalt::Segmenter& segmenter, int re
 
 std::vector<Measured> resolutions(bool quick) {
   std::vector<Measured> frames;
-  for (const int width : quick ? std::vector{320, 640} : std::vector{320, 640, 1280, 2560}) {
+  for (const int width : quick ? std::vector{320, 640} : std::vector{320, 640, 1280, 1920, 3840}) {
     const gestalt::Camera camera = gestalt::kinect_camera(width, width * 3 / 4);
     frames.push_back({gestalt::synthesize(gestalt::Category::complex_scene, 1, 0, camera).frame});
   }
@@ -67,7 +67,9 @@ std::vector<Measured> patch_counts(bool quick) {
   std::vector<Measured> frames;
   frames.push_back({facets(10, 10)});
   frames.push_back({facets(20, 10)});
-  if (!quick) frames.push_back({facets(20, 20)});
+  if (quick) return frames;
+  frames.push_back({facets(20, 20)});
+  frames.push_back({facets(40, 20)});
   return frames;
 }
 

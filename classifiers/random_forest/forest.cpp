@@ -3,6 +3,8 @@
 
 #include "forest.h"
 
+#include <algorithm>
+#include <array>
 #include <limits>
 #include <nlohmann/json.hpp>
 
@@ -70,15 +72,27 @@ void check_trees(const std::vector<int>& roots, const std::vector<TreeNode>& nod
 }  // namespace
 
 double Forest::probability(std::span<const double> values) const {
+  // Trees are grown on single precision, so a value is compared in it too.
+  std::vector<double> compared(std::max<std::size_t>(values.size(), 1));
+  std::transform(values.begin(), values.end(), compared.begin(), [](double value) { return double(float(value)); });
+  // A step waits for the node that the one before led to: some trees at once wait together.
+  constexpr std::size_t together = 6;
   double sum = 0;
-  for (const int root : roots_) {
-    const TreeNode* node = &nodes_[std::size_t(root)];
-    while (node->variable >= 0) {
-      // Trees are grown on single precision, so a value is compared in it too.
-      const bool left = double(float(values[std::size_t(node->variable)])) <= node->value;
-      node = left ? node + 1 : &nodes_[std::size_t(node->right)];
+  for (std::size_t first = 0; first < roots_.size(); first += together) {
+    const std::size_t count = std::min(together, roots_.size() - first);
+    std::array<int, together> at{};
+    std::copy_n(roots_.begin() + std::ptrdiff_t(first), count, at.begin());
+    for (bool all_leaves = false; !all_leaves;) {
+      all_leaves = true;
+      for (std::size_t i = 0; i < count; ++i) {
+        const TreeNode& node = nodes_[std::size_t(at[i])];
+        const bool inner = node.variable >= 0;
+        const bool left = compared[std::size_t(inner ? node.variable : 0)] <= node.value;
+        at[i] = inner ? (left ? at[i] + 1 : node.right) : at[i];
+        all_leaves &= !inner;
+      }
     }
-    sum += node->value;
+    for (std::size_t i = 0; i < count; ++i) sum += nodes_[std::size_t(at[i])].value;
   }
   return sum / double(roots_.size());
 }

@@ -37,9 +37,11 @@ struct LevelConfig {
 struct Config {
   bool with_assembly = false;            ///< levels: structural+assembly
   int time_budget = 0;                   ///< milliseconds that a frame may take; 0: any
+  bool coarse_when_late = false;         ///< on_timeout: coarse
   std::filesystem::path model;           ///< resolved; empty when the config names none
   ParameterValues sensor;                ///< of SensorParams
   ComponentConfig clusterer;             ///< signal.clusterer
+  int working_resolution = 0;            ///< signal.working_resolution: pixels; 0: any number
   std::vector<ComponentConfig> fitters;  ///< primitive.fitters, not empty
   ParameterValues surface_modelling;     ///< primitive.model_selection
   LevelConfig structural;
@@ -97,8 +99,9 @@ GESTALT_EXPORT std::string canonical_surfaces(const Config& config);
 /// Everything in the config that changes a result, as text; the model is not part of it.
 GESTALT_EXPORT std::string canonical(const Config& config);
 
-/// Hexadecimal hash (FNV-1a, 64 bits) of everything in the config, but the sensor, that changes the relation values of
-/// a level: two configs with equal hashes can share its model. Throws ConfigError when the config has no such level.
+/// Hexadecimal hash (FNV-1a, 64 bits) of everything in the config, but sensor and working resolution, that changes the
+/// relation values of a level: two configs with equal hashes can share its model. Throws ConfigError when the config
+/// has no such level.
 GESTALT_EXPORT std::string config_hash(const Config& config, Level level);
 
 }  // namespace gestalt

@@ -54,9 +54,11 @@ struct Draft {
   std::vector<DirectoryDraft> plugin_directories;
   std::optional<Node> levels;
   std::optional<Node> time_budget;
+  std::optional<Node> on_timeout;
   std::optional<Node> model;
   Settings sensor;
   ComponentDraft clusterer;
+  std::optional<Node> working_resolution;
   ComponentListDraft fitters;
   Settings model_selection;
   LevelDraft structural;

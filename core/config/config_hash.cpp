@@ -49,8 +49,8 @@ std::string fnv_1a(std::string_view text) {
 }  // namespace
 
 std::string canonical_surfaces(const Config& config) {
-  return "sensor\n" + values_text(config.sensor) + primitive_text(config) + "figure_ground\n" +
-         values_text(config.figure_ground);
+  return "sensor\n" + values_text(config.sensor) + "working_resolution " + std::to_string(config.working_resolution) +
+         "\n" + primitive_text(config) + "figure_ground\n" + values_text(config.figure_ground);
 }
 
 std::string canonical(const Config& config) {

@@ -18,7 +18,29 @@ Parameter time_budget_declaration() {
           86'400'000,
           {},
           "ms",
-          "a frame that takes longer ends with an error; 0: no limit"};
+          "what a frame may take, see on_timeout; 0: no limit"};
+}
+
+Parameter on_timeout_declaration() {
+  return {"on_timeout",
+          Parameter::Type::choice,
+          std::string("error"),
+          0,
+          0,
+          {"error", "coarse"},
+          "",
+          "a frame whose time is over ends with an error, or is decided by the relations that are known then"};
+}
+
+Parameter working_resolution_declaration() {
+  return {"working_resolution",
+          Parameter::Type::integer,
+          std::int64_t{0},
+          0,
+          16'777'216,
+          {},
+          "pixels",
+          "larger frames are segmented at half, a third, ... of their resolution; 0: at all of it"};
 }
 
 Parameter minimum_size_declaration(Level level) {

@@ -16,6 +16,8 @@ inline constexpr const char* both_levels = "structural+assembly";
 
 Parameter levels_declaration();
 Parameter time_budget_declaration();
+Parameter on_timeout_declaration();
+Parameter working_resolution_declaration();
 Parameter minimum_size_declaration(Level level);
 Parameter negatives_declaration();
 
@@ -40,10 +42,12 @@ auto config_keys(Make& make, Draft& draft) {
                        draft.plugin_directories),
       make.value(levels_declaration(), draft.levels),
       make.value(time_budget_declaration(), draft.time_budget),
+      make.value(on_timeout_declaration(), draft.on_timeout),
       make.file("model", "Trained model: beside this file, else among the installed ones; none: no model", draft.model),
       make.settings("sensor", "The depth camera's noise", SensorParams::parameters().declarations(), draft.sensor),
       make.section("signal", "Signal level: pixels to patches",
-                   {make.component("clusterer", "clusterer", "Makes planar patches of pixels", draft.clusterer)}),
+                   {make.component("clusterer", "clusterer", "Makes planar patches of pixels", draft.clusterer),
+                    make.value(working_resolution_declaration(), draft.working_resolution)}),
       make.section(
           "primitive", "Primitive level: patches to surfaces",
           {make.list("fitters", "fitter", "Surface models of a patch; the first must fit any patch", draft.fitters),

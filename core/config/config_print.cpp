@@ -24,6 +24,8 @@ std::string word(const std::string& text) {
   return plain ? text : quoted(text);
 }
 
+std::string on_timeout(const Config& config) { return config.coarse_when_late ? "coarse" : "error"; }
+
 std::string levels(const Config& config) { return config.with_assembly ? "structural+assembly" : "structural"; }
 
 json parameter_values(const ParameterValues& values) {
@@ -42,10 +44,12 @@ class Yaml {
     write_directories();
     write_value(0, "levels", "levels", levels(config));
     write_value(0, "time_budget", "time_budget", std::to_string(config.time_budget));
+    write_value(0, "on_timeout", "on_timeout", on_timeout(config));
     write_value(0, "model", "model", config.model.empty() ? "none" : quoted(config.model.string()));
     write_values(0, "sensor", "sensor", config.sensor);
     section(0, "signal");
     write_component(1, "clusterer", "signal.clusterer", config.clusterer);
+    write_value(1, "working_resolution", "signal.working_resolution", std::to_string(config.working_resolution));
     section(0, "primitive");
     write_list(1, "fitters", "primitive.fitters", config.fitters, resolution_.removed_fitters);
     write_values(1, "model_selection", "primitive.model_selection", config.surface_modelling);
@@ -152,10 +156,12 @@ json to_json(const Resolution& resolution) {
       {"schema_version", 1},
       {"levels", levels(config)},
       {"time_budget", config.time_budget},
+      {"on_timeout", on_timeout(config)},
       {"model", config.model.empty() ? json() : json(config.model.string())},
       {"sensor", parameter_values(config.sensor)},
       {"plugin_directories", directories},
-      {"signal", {{"clusterer", component_values(config.clusterer)}}},
+      {"signal",
+       {{"clusterer", component_values(config.clusterer)}, {"working_resolution", config.working_resolution}}},
       {"primitive",
        {{"fitters", list_values(config.fitters)}, {"model_selection", parameter_values(config.surface_modelling)}}},
       {"structural", level_values(config.structural)},

@@ -34,9 +34,13 @@ class Resolver {
     config.with_assembly = std::get<std::string>(value(levels_declaration(), draft_.levels, "levels")) == both_levels;
     config.time_budget =
         int(std::get<std::int64_t>(value(time_budget_declaration(), draft_.time_budget, "time_budget")));
+    config.coarse_when_late =
+        std::get<std::string>(value(on_timeout_declaration(), draft_.on_timeout, "on_timeout")) == "coarse";
     config.model = model();
     config.sensor = values(SensorParams::parameters().declarations(), draft_.sensor, "sensor");
     config.clusterer = single("clusterer", "signal.clusterer", draft_.clusterer);
+    config.working_resolution = int(std::get<std::int64_t>(
+        value(working_resolution_declaration(), draft_.working_resolution, "signal.working_resolution")));
     config.fitters = list("fitter", "primitive.fitters", draft_.fitters, result_.removed_fitters);
     config.surface_modelling = values(SurfaceModellingParams::parameters().declarations(), draft_.model_selection,
                                       "primitive.model_selection");

@@ -4,6 +4,7 @@
 #include "gestalt/core/pipeline/pipeline.h"
 
 #include <tbb/parallel_for_each.h>
+#include <tbb/parallel_invoke.h>
 
 #include <algorithm>
 #include <chrono>
@@ -18,6 +19,7 @@
 #include "gestalt/core/plugin/component_call.h"
 #include "gestalt/core/plugin/contract.h"
 #include "gestalt/core/scene/images.h"
+#include "working_resolution.h"
 
 namespace gestalt {
 
@@ -184,6 +186,17 @@ Percept Pipeline::perceive(const Frame& frame) const {
   return percept;
 }
 
+/// Does the work of a level; one that the time does not suffice for is left out where late frames are coarse.
+template <class Work>
+void Pipeline::unless_late(Percept& percept, Level level, const Work& work) const {
+  try {
+    work();
+  } catch (const TimeError&) {
+    if (!config_.coarse_when_late) throw;
+    percept.left_out = level;
+  }
+}
+
 Percept Pipeline::perceive_uncancelled(const Frame& given) const {
   if (given.depth.total() > most_pixels)
     throw InputError(given.name + ": has " + std::to_string(given.width()) + "x" + std::to_string(given.height()) +
@@ -195,9 +208,15 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
         throw InputError(
             given.name + ": has no colour image, and relation '" + named.name +
             "' needs one; add rgb.png, or use a config without colour relations and a model trained for it");
+  Percept percept;
+  const int factor = reduction(given.depth.size(), config_.working_resolution);
   Frame frame = given;  // shares the images
-  frame.noise = sensor_.depth_noise(frame);
   frame.deadline = Deadline::within(config_.time_budget, 0);
+  if (factor > 1) {
+    const Stopwatch watch(percept.times.signal);
+    frame = reduced(frame, factor);
+  }
+  frame.noise = sensor_.depth_noise(frame);
   const auto images = std::make_shared<Images>(frame);
   Aside observations([&] {
     tbb::parallel_for_each(relations_, [&](const NamedRelation& named) {
@@ -206,7 +225,6 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
       frame.deadline.require(name);
     });
   });
-  Percept percept;
   PatchMap patches;
   {
     const Stopwatch watch(percept.times.signal);
@@ -223,33 +241,46 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
     frame.deadline.require(name);
     percept.scene = std::make_shared<const Scene>(images, std::move(patches), std::move(surfaces));
   }
-  {
-    const Stopwatch watch(percept.times.decision);
-    percept.roles = find_roles(frame, percept.surfaces(), figure_ground_);
-    percept.sizes = find_sizes(frame, percept.surfaces(), figure_ground_);
-    frame.deadline.require("the separation of figure and ground");
-  }
   percept.pixel_density = pixel_density(frame.camera);
   percept.separate = figure_ground_.separate;
+  percept.structural.names = structural_.value_names;
   std::optional<Measures> measures;
-  {
-    const Stopwatch watch(percept.times.structural);
-    observations.wait();
-    measures.emplace(*percept.scene, relations_);
-    percept.structural = relate(neighbour_pairs(percept.surfaces(), structural_.minimum_size * percept.pixel_density),
-                                structural_.relations, *measures);
-  }
-  if (assembly_) {
-    const Stopwatch watch(percept.times.assembly);
-    const double minimum_size = assembly_->minimum_size * percept.pixel_density;
-    const std::span<const Role> roles =
-        percept.separate ? std::span<const Role>(percept.roles) : std::span<const Role>();
-    percept.assembly =
-        relate(non_neighbour_pairs(percept.surfaces(), minimum_size, roles), assembly_->relations, *measures);
-    percept.omitted_pairs = gestalt::omitted_pairs(percept.surfaces(), minimum_size, roles);
-  }
+  // Relations ask for no roles, so that the one need not wait for the other.
+  tbb::parallel_invoke(
+      [&] {
+        const Stopwatch watch(percept.times.decision);
+        percept.roles = find_roles(frame, percept.surfaces(), figure_ground_);
+        percept.sizes = find_sizes(frame, percept.surfaces(), figure_ground_);
+        if (!config_.coarse_when_late) frame.deadline.require("the separation of figure and ground");
+      },
+      [&] {
+        unless_late(percept, Level::structural, [&] {
+          const Stopwatch watch(percept.times.structural);
+          observations.wait();
+          measures.emplace(*percept.scene, relations_);
+          percept.structural =
+              relate(neighbour_pairs(percept.surfaces(), structural_.minimum_size * percept.pixel_density),
+                     structural_.relations, *measures);
+        });
+      });
+  if (assembly_) percept.assembly.names = assembly_->value_names;
+  if (assembly_ && !percept.left_out)
+    unless_late(percept, Level::assembly, [&] {
+      const Stopwatch watch(percept.times.assembly);
+      const double minimum_size = assembly_->minimum_size * percept.pixel_density;
+      const std::span<const Role> roles =
+          percept.separate ? std::span<const Role>(percept.roles) : std::span<const Role>();
+      percept.assembly =
+          relate(non_neighbour_pairs(percept.surfaces(), minimum_size, roles), assembly_->relations, *measures);
+      percept.omitted_pairs = gestalt::omitted_pairs(percept.surfaces(), minimum_size, roles);
+    });
   measures.reset();
   call_component(name_of_observers(relations_), [&] { images->forget_observations(); });
+  if (factor > 1) {
+    const Stopwatch watch(percept.times.signal);
+    percept.scene = enlarged(*percept.scene, given, factor, surface_modelling_);
+    percept.pixel_density = pixel_density(given.camera);
+  }
   return percept;
 }
 
@@ -286,7 +317,8 @@ std::vector<int> Pipeline::structural_groups(const Percept& percept, const Model
 Segmentation Pipeline::decide(const Percept& percept, const Models& models, LevelTimes* times) const {
   LevelTimes ignored;
   LevelTimes& spent = times ? *times : ignored;
-  const Deadline deadline = Deadline::within(config_.time_budget, percept.times.total());
+  const Deadline deadline =
+      config_.coarse_when_late ? Deadline() : Deadline::within(config_.time_budget, percept.times.total());
   Graph graph;
   {
     const Stopwatch watch(spent.structural);

@@ -42,6 +42,7 @@ struct Percept {
   RelationTable assembly;              ///< all other pairs; empty without the assembly level
   std::size_t omitted_pairs = 0;       ///< that the assembly level leaves out of too many
   double pixel_density = 1;            ///< of the frame's camera: by what the levels' minimum sizes were multiplied
+  std::optional<Level> left_out;       ///< the first level without relations, as the time was over (on_timeout: coarse)
   bool separate = true;  ///< FigureGroundParams::separate: pairs of an object and the background are not decided
   LevelTimes times;
 
@@ -80,9 +81,11 @@ class GESTALT_EXPORT Pipeline {
   /// Whether the models, which fit, were trained with other parameters of the levels below the classifiers.
   bool trained_otherwise(const Models& models) const;
 
-  /// Signal and primitive level, and the relations of all levels. Throws InputError when a relation needs colour and
-  /// the frame has none, TimeError when the frame's time budget is over. A TBB group in which this is called does not
-  /// cancel it.
+  /// Signal and primitive level, and the relations of all levels. Frames of more pixels than the working resolution are
+  /// perceived at a part of theirs; surfaces and patches are brought back to all of it, the tables are of the part.
+  /// Throws InputError when a relation needs colour and the frame has none, TimeError when the frame's time budget is
+  /// over; where late frames are coarse and there are surfaces, their relations are left out instead. A TBB group in
+  /// which this is called does not cancel it.
   Percept perceive(const Frame& frame) const;
 
   /// Group of each surface by the structural level alone, numbered from 0; each surface is one where the solver takes
@@ -91,7 +94,8 @@ class GESTALT_EXPORT Pipeline {
 
   /// Classification of the pairs and the global decision. At the assembly level only pairs of different
   /// structural_groups() count. models must be as expected_model() says, as load_models() ensures. The time spent is
-  /// added to times. Throws TimeError when it and that of perceive() exceed the time budget.
+  /// added to times. Throws TimeError when it and that of perceive() exceed the time budget, unless late frames are
+  /// coarse.
   Segmentation decide(const Percept& percept, const Models& models, LevelTimes* times = nullptr) const;
 
  private:
@@ -115,6 +119,8 @@ class GESTALT_EXPORT Pipeline {
   std::shared_ptr<const Solver> solver_;
   FigureGroundParams figure_ground_;
   Percept perceive_uncancelled(const Frame& frame) const;
+  template <class Work>
+  void unless_late(Percept& percept, Level level, const Work& work) const;
   Graph structural_graph(const Percept& percept, const Model& model, const Deadline& deadline) const;
 };
 

@@ -148,6 +148,7 @@ Json result_json(const Input& input, const SegmentedFrame& found, const Json& co
                 {"decision", times.decision},
                 {"total", times.total()}}},
               {"config", config}};
+  if (percept.left_out) result["left_out"] = name_of(*percept.left_out);
   if (percept.omitted_pairs > 0) result["omitted_pairs"] = percept.omitted_pairs;
   return result;
 }

@@ -149,6 +149,54 @@ TEST(DefaultSegmenter, EndsAFrameWhoseTimeIsOver) {
   }
 }
 
+/// Takes longer than a frame may; says so in time for no loop.
+struct SlowRelation final : Relation {
+  const std::vector<RelationValue>& values() const override {
+    static const std::vector<RelationValue> values{{"r_slow", 0, 1, "0"}};
+    return values;
+  }
+  std::unique_ptr<Measure> bind(const Scene&) const override {
+    struct Zero final : Measure {
+      void operator()(const SurfacePair&, std::span<double> out) const override { out[0] = 0; }
+    };
+    std::this_thread::sleep_for(std::chrono::milliseconds(1200));
+    return std::make_unique<Zero>();
+  }
+};
+
+TEST(DefaultSegmenter, DecidesALateFrameByWhatIsKnownWhereTheConfigSaysSo) {
+  const auto percept_with = [](const std::string& on_timeout) {
+    Registry registry(plugin_search_path({}));
+    registry.add<Relation>({"relation", "slow", "1.0.0", "Sleeps longer than a frame may take", {}},
+                           {{}, [](const ParameterValues&) { return std::make_unique<SlowRelation>(); }});
+    const LoadedConfig loaded(
+        ConfigTree(default_config(), {"time_budget=1000", "on_timeout=" + on_timeout, "assembly.relations.slow=on"}),
+        std::move(registry));
+    return Pipeline(loaded.config, loaded.registry).perceive(scene(Category::boxes).frame);
+  };
+  EXPECT_THROW(percept_with("error"), TimeError);
+  const Percept percept = percept_with("coarse");
+  EXPECT_EQ(percept.left_out, Level::structural) << "relations are bound for both levels at once";
+  EXPECT_TRUE(percept.structural.pairs.empty());
+  EXPECT_FALSE(percept.surfaces().surfaces.empty());
+  const Segmenter gestalt(default_config(), {"time_budget=1000", "on_timeout=coarse"});
+  EXPECT_GT(gestalt.pipeline().decide(percept, gestalt.models()).segments.size(), 1u);
+  EXPECT_FALSE(gestalt.segment(scene(Category::boxes).frame).percept.left_out) << "in time";
+}
+
+TEST(DefaultSegmenter, GivesLabelsOfTheFrameWhereItWorksOnLess) {
+  const SyntheticScene large = synthesize(Category::boxes, 1, 0, kinect_camera(1280, 960));
+  const Segmenter whole, half(default_config(), {"signal.working_resolution=400000"});
+  const SegmentedFrame found = half.segment(large.frame);
+  EXPECT_EQ(found.segmentation.labels.size(), large.frame.depth.size());
+  EXPECT_EQ(found.percept.frame().depth.size(), large.frame.depth.size());
+  EXPECT_EQ(cv::countNonZero(found.segmentation.labels != 0), cv::countNonZero(large.frame.depth > 0));
+  const auto score = score_image(large.ground_truth, found.segmentation.labels, RegionKind::objects);
+  EXPECT_GT(summarise({score}, {""}).back().precision, 0.95);
+  const Frame small = scene(Category::boxes).frame;
+  expect_equal(run(half, small), run(whole, small));
+}
+
 TEST(DefaultSegmenter, HasAMinuteForAFrameWhereNoConfigSaysOtherwise) {
   EXPECT_EQ(Segmenter(default_config()).config().time_budget, 60'000);
   EXPECT_EQ(Segmenter(default_config(), {"time_budget=0"}).config().time_budget, 0);
