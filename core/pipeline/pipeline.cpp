@@ -245,24 +245,25 @@ Percept Pipeline::perceive_uncancelled(const Frame& given) const {
   percept.separate = figure_ground_.separate;
   percept.structural.names = structural_.value_names;
   std::optional<Measures> measures;
-  // Relations ask for no roles, so that the one need not wait for the other.
-  tbb::parallel_invoke(
-      [&] {
-        const Stopwatch watch(percept.times.decision);
-        percept.roles = find_roles(frame, percept.surfaces(), figure_ground_);
-        percept.sizes = find_sizes(frame, percept.surfaces(), figure_ground_);
-        if (!config_.coarse_when_late) frame.deadline.require("the separation of figure and ground");
-      },
-      [&] {
-        unless_late(percept, Level::structural, [&] {
-          const Stopwatch watch(percept.times.structural);
-          observations.wait();
-          measures.emplace(*percept.scene, relations_);
-          percept.structural =
-              relate(neighbour_pairs(percept.surfaces(), structural_.minimum_size * percept.pixel_density),
-                     structural_.relations, *measures);
+  {
+    // Relations ask for no roles, so that neither waits for the other.
+    const Stopwatch watch(percept.times.structural);
+    tbb::parallel_invoke(
+        [&] {
+          percept.roles = find_roles(frame, percept.surfaces(), figure_ground_);
+          percept.sizes = find_sizes(frame, percept.surfaces(), figure_ground_);
+          if (!config_.coarse_when_late) frame.deadline.require("the separation of figure and ground");
+        },
+        [&] {
+          unless_late(percept, Level::structural, [&] {
+            observations.wait();
+            measures.emplace(*percept.scene, relations_);
+            percept.structural =
+                relate(neighbour_pairs(percept.surfaces(), structural_.minimum_size * percept.pixel_density),
+                       structural_.relations, *measures);
+          });
         });
-      });
+  }
   if (assembly_) percept.assembly.names = assembly_->value_names;
   if (assembly_ && !percept.left_out)
     unless_late(percept, Level::assembly, [&] {

@@ -26,7 +26,7 @@ namespace gestalt {
 struct LevelTimes {
   double signal = 0;
   double primitive = 0;
-  double structural = 0;  ///< what is bound to the scene for either level, relations and classification
+  double structural = 0;  ///< roles, what is bound to the scene for either level, relations and classification
   double assembly = 0;    ///< relations and classification
   double decision = 0;
 

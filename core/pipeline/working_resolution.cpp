@@ -53,7 +53,7 @@ class Enlargement {
         frame_(frame),
         factor_(factor),
         patches_{cv::Mat_<int>(frame.depth.size(), 0), cv::Mat_<cv::Vec3f>(frame.depth.size(), cv::Vec3f(0, 0, 0)),
-                 found.patches().count},
+                 found.patches().count, found.patches().cut_from},
         labels_(frame.depth.size(), 0) {
     tbb::parallel_for(0, small_.height(), [&](int v) {
       for (int u = 0; u < small_.width(); ++u) fill(u, v);

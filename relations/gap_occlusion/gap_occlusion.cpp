@@ -4,7 +4,9 @@
 #include "gap_occlusion.h"
 
 #include <algorithm>
+#include <array>
 
+#include "gestalt/core/base/wide.h"
 #include "gestalt/core/scene/hypothesised_line.h"
 #include "gestalt/core/scene/point_blocks.h"
 
@@ -21,6 +23,25 @@ Eigen::Matrix3Xf in_image(const Outline& outline, int width) {
     pixels.col(i) << float(pixel % width), float(pixel / width), 0;
   }
   return pixels;
+}
+
+/// Of the pixels of a line: its depth there, and from where to where a measured depth is level with it.
+struct LevelDepths {
+  std::array<float, most_pixels + 1> line, nearest, farthest;
+};
+
+// What the loop does not change are its own copies, so that the compiler sees that it does not.
+GESTALT_WIDE void find_level_depths(HypothesisedLine line, int steps, DepthNoise noise, double slack,
+                                    LevelDepths& level) {
+  float* const __restrict depth = level.line.data();
+  float* const __restrict nearest = level.nearest.data();
+  float* const __restrict farthest = level.farthest.data();
+  for (int s = 1; s < steps; ++s) {
+    const float z = line.depth(s, steps), tolerance = sight_tolerance(noise, z, slack);
+    depth[s] = z;
+    nearest[s] = z - tolerance;
+    farthest[s] = z + tolerance;
+  }
 }
 
 class GapOcclusionMeasure final : public Measure {
@@ -48,26 +69,25 @@ class GapOcclusionMeasure final : public Measure {
   void add_lines(int from, int to, Sums& sums) const {
     const std::size_t f = std::size_t(from), t = std::size_t(to);
     const int* labels = labels_.ptr<int>();
+    const float* depth = frame_.depth.ptr<float>();
+    LevelDepths level;
     for (const NearestPoint& ends : nearest_points(pixels_[f], pixels_[t], params_.share)) {
       const HypothesisedLine line(outlines_[f], ends.from, outlines_[t], ends.to, frame_.width());
       const int steps = std::min(line.length(), most_pixels + 1);
       if (steps < 2) continue;
+      find_level_depths(line, steps, frame_.noise, params_.slack, level);
       const double weight = 1.0 / (steps - 1);
       PixelWalk walk(line, steps);
-      for (int s = 1; s < steps; ++s) {
+      for (std::size_t s = 1; s < std::size_t(steps); ++s) {
         const int pixel = walk.next(), label = labels[pixel];
-        if (label != from + 1 && label != to + 1) add(pixel, line.depth(s, steps), weight, sums);
+        if (label == from + 1 || label == to + 1) continue;
+        sums.weight += weight;
+        const float measured = depth[pixel];
+        if (!(measured > 0)) continue;
+        if (measured >= level.nearest[s] && measured <= level.farthest[s]) sums.level += weight;
+        sums.difference += weight * std::clamp(double(level.line[s] - measured), -params_.limit, params_.limit);
       }
     }
-  }
-
-  void add(int pixel, float z, double weight, Sums& sums) const {
-    sums.weight += weight;
-    const Sight seen = sight(frame_, pixel, z, params_.slack);
-    if (seen == Sight::unknown) return;
-    if (seen == Sight::level) sums.level += weight;
-    const double difference = double(z - frame_.depth.ptr<float>()[pixel]);
-    sums.difference += weight * std::clamp(difference, -params_.limit, params_.limit);
   }
 
   const Frame& frame_;

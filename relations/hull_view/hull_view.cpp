@@ -48,13 +48,18 @@ LineParts parts_of(const Outline& outline, const std::vector<int>& ends, int wid
   return parts;
 }
 
-/// The parts of one end, by number, when lines go from it to so many pixels.
+/// The parts of one end, by number, when lines go from it to so many pixels: the same for each line.
 void repeat_reversed(const LineParts& ends, int end, int count, LineParts& parts) {
-  for (int i = 0; i < count; ++i) {
-    const auto own = std::size_t((end + 1) * line_pixels - 1 - i % line_pixels);
-    parts.u[std::size_t(i)] = ends.u[own] + line_steps;  // for rounding
-    parts.v[std::size_t(i)] = ends.v[own] + line_steps;
-    parts.inverse[std::size_t(i)] = ends.inverse[own];
+  for (std::size_t i = 0; i < line_pixels; ++i) {
+    const std::size_t own = std::size_t((end + 1) * line_pixels) - 1 - i;
+    parts.u[i] = ends.u[own] + line_steps;  // for rounding
+    parts.v[i] = ends.v[own] + line_steps;
+    parts.inverse[i] = ends.inverse[own];
+  }
+  for (auto at = std::size_t{line_pixels}; at < std::size_t(count); at += line_pixels) {
+    std::copy_n(parts.u.begin(), line_pixels, parts.u.begin() + at);
+    std::copy_n(parts.v.begin(), line_pixels, parts.v.begin() + at);
+    std::copy_n(parts.inverse.begin(), line_pixels, parts.inverse.begin() + at);
   }
   parts.count = count;
 }
@@ -65,16 +70,25 @@ struct LinePixels {
   std::array<float, most_pixels> nearest, farthest;  // level depths
 };
 
-GESTALT_WIDE void place(const LineParts& from, const LineParts& to, int width, const DepthNoise& noise, double slack,
+// What the loop does not change are its own copies, so that the compiler sees that it does not.
+GESTALT_WIDE void place(const LineParts& from, const LineParts& to, int width, DepthNoise noise, double slack,
                         LinePixels& pixels) {
-  for (int i = 0; i < to.count; ++i) {
-    const unsigned u = unsigned(from.u[std::size_t(i)] + to.u[std::size_t(i)]) / unsigned(2 * line_steps);
-    const unsigned v = unsigned(from.v[std::size_t(i)] + to.v[std::size_t(i)]) / unsigned(2 * line_steps);
-    pixels.index[std::size_t(i)] = int(v) * width + int(u);
-    const float z = float(line_steps) / (from.inverse[std::size_t(i)] + to.inverse[std::size_t(i)]);
+  const int count = to.count;
+  const int *from_u = from.u.data(), *from_v = from.v.data(), *to_u = to.u.data(), *to_v = to.v.data();
+  const float *from_inverse = from.inverse.data(), *to_inverse = to.inverse.data();
+  int* const __restrict index = pixels.index.data();
+  float* const __restrict nearest = pixels.nearest.data();
+  float* const __restrict farthest = pixels.farthest.data();
+  for (int i = 0; i < count; ++i) {
+    const unsigned u = unsigned(from_u[i] + to_u[i]) / unsigned(2 * line_steps);
+    const unsigned v = unsigned(from_v[i] + to_v[i]) / unsigned(2 * line_steps);
+    index[i] = int(v) * width + int(u);
+  }
+  for (int i = 0; i < count; ++i) {
+    const float z = float(line_steps) / (from_inverse[i] + to_inverse[i]);
     const float tolerance = sight_tolerance(noise, z, slack);
-    pixels.nearest[std::size_t(i)] = z - tolerance;
-    pixels.farthest[std::size_t(i)] = z + tolerance;
+    nearest[i] = z - tolerance;
+    farthest[i] = z + tolerance;
   }
 }
 
