@@ -116,7 +116,8 @@ std::string guess(const fs::path& input) {
     if (std::ranges::all_of(layout.holds, is_there)) return layout.name;
   if (const SceneFormat* format = scene_format_of(input)) return format->name;
   try {
-    return scene_format_of(find_scenes({input}).front())->name;
+    for (const fs::path& scene : find_scenes({input}))  // a link to nowhere has no format
+      if (const SceneFormat* format = scene_format_of(scene)) return format->name;
   } catch (const InputError&) {  // of which the layout that is asked for tells
   }
   throw InputError(input.string() + ": cannot tell its layout from its files; give --from");

@@ -4,6 +4,7 @@
 // Files that are made to crash the command, to hang it, or to fill memory and disk.
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 #include <unistd.h>
 
 #include <nlohmann/json.hpp>
@@ -122,6 +123,29 @@ TEST_F(Strangers, TooLittleMemoryIsToldWithTheFile) {
                  {"r.json: its 40000003 bytes take more memory than this process may use", "raise its memory limit"});
 }
 #endif
+
+// Opening a pipe waits for its writer.
+TEST_F(Strangers, APipeInPlaceOfGroundTruthIsNotWaitedFor) {
+  for (const char* name : {"label.png", "masks/1.png", "coco.json"}) {
+    const fs::path truth = scene / name;
+    fs::create_directories(truth.parent_path());
+    ASSERT_EQ(::mkfifo(truth.c_str(), 0600), 0);
+    const Outcome outcome = run_gestalt({"segment", scene, "--output", out});
+    EXPECT_EQ(outcome.code, 0) << outcome.err;
+    EXPECT_GT(occurrences(std::string(name) + ": is not a regular file", outcome.err), 0) << outcome.err;
+    expect_refused(run_gestalt({"evaluate", scene}), 3, {name, "is not a regular file"});
+    fs::remove_all(truth.parent_path() == scene ? truth : truth.parent_path());
+  }
+}
+
+TEST_F(Strangers, AnImageThatIsALinkToItselfIsRefused) {
+  const fs::path recording = folder.path() / "recording";
+  for (const char* part : {"depth", "rgb"}) fs::create_directories(recording / part);
+  fs::create_symlink("1.png", recording / "depth" / "1.png");
+  fs::create_symlink("nowhere", recording / "link");
+  expect_refused(run_gestalt({"convert", recording, "--output", out}), 3, {recording.string()});
+  expect_refused(run_gestalt({"segment", recording, "--output", out}), 3, {recording.string()});
+}
 
 }  // namespace
 }  // namespace gestalt::test
