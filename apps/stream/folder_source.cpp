@@ -7,6 +7,7 @@
 #include <thread>
 
 #include "gestalt/core/base/error.h"
+#include "gestalt/io/scene/scene_format.h"
 #include "gestalt/io/scene/scene_path.h"
 
 namespace gestalt::app {
@@ -39,6 +40,10 @@ void FolderSource::look() {
     present.insert(path);
   }
   if (error) throw InputError(folder_.string() + ": cannot be listed: " + error.message());
+  // Who waits for scenes may wait in an empty folder.
+  if (!follow_ && new_.empty())
+    throw InputError(folder_.string() + ": holds no scene; give the folder that holds scenes, " +
+                     scene_extensions(" or ") + " files, or add --follow to wait for them");
   std::sort(new_.begin(), new_.end(), scene_less);
   seen_ = std::move(present);
   looked_ = true;
