@@ -246,6 +246,10 @@ TEST_F(OfALens, LargeDistortionIsRectified) {
   expect_rectified("distortion_model: equidistant\nk1: 0.05\n", theta * (1 + 0.05 * theta * theta) / r);
 }
 
+TEST_F(OfALens, ThatMovesPixelsFartherThanTheImageIsRefused) {
+  EXPECT_THROW(read_with("k1: 100\nk2: 1000\n", pixel_), InputError);
+}
+
 // r (1 - 0.9 r^2) falls beyond r = 0.61: the corners are not known.
 TEST_F(OfALens, WhatItDoesNotKnowHasNoDepth) {
   const Input input = read_with("k1: -0.9\n", pixel_);

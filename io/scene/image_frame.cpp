@@ -5,6 +5,7 @@
 
 #include <cmath>
 
+#include "gestalt/core/base/error.h"
 #include "rectification.h"
 #include "scene_camera.h"
 
@@ -30,6 +31,9 @@ void set_frame_of_images(Input& input, const std::string& name, const cv::Mat& c
                              ", which is ignored; rectify the images if that is too much");
     return set_frame(input, name, colour, std::move(depth), camera);
   }
+  if (std::isfinite(shift) && shift > 2 * radius)
+    throw InputError(camera_name(file) + ": its lens moves pixels by up to " + pixels(shift) + ", farther than the " +
+                     "image is wide and high; correct its coefficients, or leave them out if the images are rectified");
   const Rectification rectified(file.lens, camera);
   depth.metres = rectified(depth.metres);
   if (!input.ground_truth.empty()) input.ground_truth = rectified(input.ground_truth);
