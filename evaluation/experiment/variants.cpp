@@ -138,6 +138,8 @@ std::vector<ComponentConfig> reduced(std::vector<ComponentConfig> relations, con
 
 std::vector<OverrideSet> read_override_sets(const fs::path& file) { return VariantsFile(file).read(); }
 
+constexpr std::size_t most_variants = 10000;  // a minute or more each
+
 std::vector<OverrideSet> grid(const std::vector<std::string>& axes) {
   std::vector<OverrideSet> sets{{"", {}}};
   for (const std::string& axis : axes) {
@@ -145,9 +147,13 @@ std::vector<OverrideSet> grid(const std::vector<std::string>& axes) {
     const std::string path = axis.substr(0, equals);
     if (equals == std::string::npos || path.empty())
       throw ConfigError("--grid " + axis + ": expected path=value,value,..., as in structural.minimum_size=30,60");
+    const std::vector<std::string> values = split(axis.substr(equals + 1), ',');
+    if (values.size() > most_variants / sets.size())
+      throw ConfigError("--grid " + axis + ": makes more than " + std::to_string(most_variants) +
+                        " variants with the values of the other grids; leave values out");
     std::vector<OverrideSet> longer;
     for (const OverrideSet& set : sets)
-      for (const std::string& value : split(axis.substr(equals + 1), ',')) {
+      for (const std::string& value : values) {
         if (value.empty()) throw ConfigError("--grid " + axis + ": has an empty value; write path=value,value,...");
         OverrideSet next = set;
         std::string assignment = path;

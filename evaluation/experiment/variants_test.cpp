@@ -35,6 +35,11 @@ TEST(Grid, RefusesWhatIsNoAxis) {
     expect_error([&] { grid({axis}); }, {std::string("--grid ") + axis});
 }
 
+TEST(Grid, RefusesMoreVariantsThanAnyoneWaitsFor) {
+  const Texts axes(8, "a=1,2,3,4,5,6,7,8,9");
+  expect_error([&] { grid(axes); }, {"--grid a=1,2,3", "more than 10000 variants"});
+}
+
 TEST(OverrideSets, AreReadInOrder) {
   const TemporaryFolder folder;
   const auto sets =

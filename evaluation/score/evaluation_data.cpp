@@ -53,7 +53,10 @@ std::map<std::string, std::string> read_categories(const std::filesystem::path& 
     if (fields.size() <= std::max(scene, category))
       throw InputError(file.string() + ":" + std::to_string(number) + ": has " + std::to_string(fields.size()) +
                        " fields, the first line " + std::to_string(head.size()));
-    categories[fields[scene]] = fields[category];
+    const auto [known, is_new] = categories.emplace(fields[scene], fields[category]);
+    if (!is_new && known->second != fields[category])
+      throw InputError(file.string() + ":" + std::to_string(number) + ": the category of '" + fields[scene] + "' is '" +
+                       known->second + "' above and '" + fields[category] + "' here; keep one of the lines");
   }
   return categories;
 }

@@ -346,6 +346,8 @@ TEST_F(EvaluationFiles, CategoriesAreReadByColumnName) {
 }
 
 TEST_F(EvaluationFiles, WrongCategoryFilesAreRefusedWithTheLine) {
+  EXPECT_THROW(read_categories(folder_.write("two.csv", "scene,category\na,boxes\na,bowls\n")), InputError);
+  EXPECT_EQ(read_categories(folder_.write("twice.csv", "scene,category\na,boxes\na,boxes\n")).size(), 1u);
   EXPECT_THROW(read_categories(folder_.write("head.csv", "learn1,boxes\n")), InputError);
   const fs::path file = folder_.write("short.csv", "scene,category\nlearn1,boxes\nlearn2\n");
   try {
