@@ -52,7 +52,7 @@ cv::Mat colour_image(const py::object& colour) {
 
 DepthReading depth_image(const py::array& depth, const ReadOptions& options) {
   refuse_mask(depth, "depth");
-  const bool millimetres = py::isinstance<py::array_t<std::uint16_t>>(depth);
+  const bool millimetres = depth.dtype().kind() == 'u' && depth.itemsize() == 2;  // of either order of bytes
   if (depth.ndim() != 2 || (!millimetres && depth.dtype().kind() != 'f'))
     throw InputError("depth: expected uint16 (millimetres) or float (metres) of shape (height, width), got " +
                      description(depth));

@@ -179,8 +179,10 @@ class PipelineTest(unittest.TestCase):
 
     def test_depth_in_millimetres_is_the_same_as_in_metres(self):
         millimetres = numpy.rint(self.scene.depth * 1000).astype(numpy.uint16)
-        result = self.segmenter(self.scene.colour, millimetres, self.scene.camera)
-        numpy.testing.assert_array_equal(result.labels, self.result.labels)
+        for order in "<>":
+            depth = millimetres.astype(millimetres.dtype.newbyteorder(order))
+            result = self.segmenter(self.scene.colour, depth, self.scene.camera)
+            numpy.testing.assert_array_equal(result.labels, self.result.labels)
 
     def test_other_units_are_told_or_seen(self):
         scene, millimetres = self.scene, 1000 * self.scene.depth
