@@ -6,6 +6,7 @@
 #include <algorithm>
 #include <iostream>
 
+#include "gestalt/apps/number_in.h"
 #include "gestalt/core/config/sensor_params.h"
 
 namespace gestalt::app {
@@ -23,7 +24,7 @@ void add_pipeline_options(CLI::App& command, PipelineOptions& options, const std
       ->expected(1)
       ->take_all();
   command.add_option("--threads", options.threads, "Threads to use, 0 for all; the result is the same for any number")
-      ->check(CLI::Range(0, 1024));
+      ->check(number_in(0, 1024));
 }
 
 void add_shorthands(CLI::App& command, PipelineOptions& options) {
@@ -40,11 +41,11 @@ void add_shorthands(CLI::App& command, PipelineOptions& options) {
       ->type_name("NAME");
   add("--max-depth", "decision.figure_ground.max_depth",
       "Treat everything farther away than this many metres as background; 0: off")
-      ->check(CLI::Range(0.0, 1000.0))
+      ->check(number_in(0.0, 1000.0))
       ->type_name("M");
   add("--min-object", "decision.figure_ground.min_object",
       "Treat segments with a visible area below this many square centimetres as background")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(number_in(0.0, 1e6))
       ->type_name("CM2");
 }
 

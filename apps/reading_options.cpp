@@ -9,6 +9,7 @@
 #include <mutex>
 #include <set>
 
+#include "gestalt/apps/number_in.h"
 #include "gestalt/io/scene/depth_unit.h"
 #include "gestalt/io/scene/reading_names.h"
 
@@ -50,7 +51,7 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
                       "RealSense, COLMAP, kalibr, ORB-SLAM, ARKit, a 3x3 matrix, ...")
           ->type_name("FILE");
   const auto intrinsic = [&](const char* name, std::optional<double>& value, const char* what) {
-    return command.add_option(name, value, what)->check(CLI::Range(0.0, 1e7))->excludes(camera)->type_name("PX");
+    return command.add_option(name, value, what)->check(number_in(0.0, 1e7))->excludes(camera)->type_name("PX");
   };
   CLI::Option* fx = intrinsic("--fx", options.fx,
                               "Horizontal focal length in pixels, instead of --camera; the size is that of the images");
@@ -69,7 +70,7 @@ void add_reading_options(CLI::App& command, ReadingOptions& options) {
                           ->check(is_unit)
                           ->type_name("UNIT");
   command.add_option("--depth-scale", options.depth_scale, "The same as a number, metres per unit")
-      ->check(CLI::Range(1e-9, 1e4))
+      ->check(number_in(1e-9, 1e4))
       ->excludes(unit)
       ->type_name("S");
   add_named(

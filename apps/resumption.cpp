@@ -10,6 +10,7 @@
 
 #include "gestalt/core/base/digest.h"
 #include "gestalt/core/base/error.h"
+#include "gestalt/io/result/result.h"
 #include "gestalt/io/result/result_file.h"
 #include "gestalt/io/scene/scene_files.h"
 #include "scene_segmenter.h"
@@ -34,9 +35,8 @@ std::string content_of(const fs::path& file) {
 
 /// Results may be written into the scene's own folder.
 bool is_of_results(const fs::path& file) {
-  static const std::set<std::string> of_results = result_names();
   const std::string name = file.filename().string();
-  return of_results.contains(name) || name.starts_with(".gestalt-");
+  return result_names().contains(name) || name.starts_with(".gestalt-");
 }
 
 }  // namespace

@@ -49,16 +49,8 @@ OutputFile labelled_file(const OutputPath& folder, const std::string& kind, cons
 
 }  // namespace
 
-std::set<std::string> result_names() {
-  std::set<std::string> names{"labels.png", "objects.png", "overlay.png", "patches.png", "labels.pcd", "result.json"};
-  names.insert(debug_names.begin(), debug_names.end());
-  for (const char* kind : labelled_kinds) names.insert(labelled_name(kind));
-  return names;
-}
-
 void add_segmenter_options(CLI::App& command, SegmenterOptions& options) {
   command.add_option("--output", options.output, "Folder for the results, one folder for each scene")
-      ->check(not_empty)
       ->capture_default_str()
       ->type_name("DIR");
   add_reading_options(command, options.reading);
@@ -91,6 +83,10 @@ SceneSegmenter::SceneSegmenter(const SegmenterOptions& options)
 }
 
 SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene) const {
+  std::error_code ignored;
+  if (also_.contains("coco") && std::filesystem::equivalent(folder_of(scene), scene, ignored))
+    throw OutputError((folder_of(scene) / labelled_name("coco")).string() +
+                      ": would count as ground truth in the scene's own folder; choose another --output");
   const std::string content = scene_identity(scene);  // of files that are read later: one that changes now is seen
   Input input = read_and_warn(scene, read_);
   const bool depth_only = depth_only_ && !input.frame.has_colour();

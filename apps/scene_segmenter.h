@@ -27,9 +27,6 @@ struct SegmenterOptions {
 /// Also the shorthands --sensor, --max-depth and --min-object, of which --set overrides the value.
 void add_segmenter_options(CLI::App& command, SegmenterOptions& options);
 
-/// The names of all files that the folder of a scene's results may have.
-std::set<std::string> result_names();
-
 /// What was found in a scene.
 struct SegmentedScene {
   std::filesystem::path folder;  ///< of the results

@@ -11,6 +11,7 @@
 #include "command.h"
 #include "gestalt/apps/depth_only.h"
 #include "gestalt/apps/experiments.h"
+#include "gestalt/apps/number_in.h"
 #include "gestalt/apps/pipeline_options.h"
 #include "gestalt/apps/reading_options.h"
 #include "gestalt/core/base/error.h"
@@ -141,12 +142,13 @@ void add_ablate(CLI::App& app, Run& run) {
   CLI::Option* folds = command
                            ->add_option("--cross-validate", options->folds,
                                         "Evaluate each of K folds of the scenes with a model trained on the others")
-                           ->check(CLI::Range(2, 1000000))
+                           ->check(number_in(2, 1000000))
                            ->capture_default_str()
                            ->type_name("K");
   command
       ->add_option("--seed", options->seed,
                    "Seed of the random order in which scenes are assigned to folds; 0: natural order")
+      ->check(seed_number())
       ->type_name("S");
   command->add_option("--test", options->test, "Train on SCENES and evaluate on these instead of cross-validation")
       ->excludes(folds)
@@ -154,7 +156,6 @@ void add_ablate(CLI::App& app, Run& run) {
   command
       ->add_option("--output", options->output,
                    "Folder for ablation.csv, .md and .html, plots, and results/, which later runs reuse")
-      ->check(not_empty)
       ->required()
       ->type_name("DIR");
   command->add_flag("--json", options->json, "Print every result as JSON, for programs");

@@ -15,12 +15,22 @@ std::multimap<int, Subcommand::Add>& registered() {
   return all;
 }
 
+const CLI::Validator not_empty([](std::string& text) { return std::string(text.empty() ? "is empty" : ""); }, "",
+                               "not_empty");
+
+void refuse_empty_values(CLI::App& command) {
+  for (CLI::Option* option : command.get_options())
+    if (option->get_items_expected_max() > 0) option->check(not_empty);
+  for (CLI::App* subcommand : command.get_subcommands({})) refuse_empty_values(*subcommand);
+}
+
 }  // namespace
 
 Subcommand::Subcommand(int place, Add add) { registered().emplace(place, add); }
 
 void Subcommand::add_all(CLI::App& app, Run& run) {
   for (const auto& [place, add] : registered()) add(app, run);
+  refuse_empty_values(app);
 }
 
 }  // namespace gestalt::app

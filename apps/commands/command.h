@@ -11,10 +11,6 @@ namespace gestalt::app {
 /// What the chosen subcommand does; gives the exit code.
 using Run = std::function<int()>;
 
-/// For names of outputs: an empty one would silently mean the current folder.
-inline const CLI::Validator not_empty([](std::string& name) { return std::string(name.empty() ? "is empty" : ""); }, "",
-                                      "not_empty");
-
 enum Exit { success = 0, run_failed = 1, wrong_usage = 2, unusable_input = 3 };
 
 /// A subcommand of gestalt: each file of this folder makes one, and so puts it on the command line.
@@ -26,7 +22,8 @@ class Subcommand {
   /// place: in the list of `gestalt --help`, ascending.
   Subcommand(int place, Add add);
 
-  /// Adds all of them.
+  /// Adds all of them. None of their options and arguments takes an empty text: it is a variable of a script that is
+  /// not set, and would silently mean the current folder, or what holds without the option.
   static void add_all(CLI::App& app, Run& run);
 };
 

@@ -207,7 +207,6 @@ void add_convert(CLI::App& app, Run& run) {
       ->add_option("--output", options->output,
                    "Folder for learn/<scene>/{rgb,depth,label}.png and camera.yaml, learn.csv with the categories, and "
                    "the same for test; scenes whose name is neither learnN nor testN go to scenes/")
-      ->check(not_empty)
       ->required()
       ->type_name("DIR");
   add_reading_options(*command, options->reading);

@@ -16,6 +16,7 @@
 
 #include "command.h"
 #include "gestalt/apps/depth_only.h"
+#include "gestalt/apps/number_in.h"
 #include "gestalt/apps/pipeline_options.h"
 #include "gestalt/apps/reading_options.h"
 #include "gestalt/core/base/error.h"
@@ -269,8 +270,21 @@ int cross_validate(const Options& options) {
   return evaluation.report(config_name(chosen) + ", " + folds.method, pairs);
 }
 
+/// The labels of an evaluation would lie among results of another run.
+void require_no_results(const Options& options) {
+  if (options.output.empty()) return;
+  for (const fs::path& scene : find_scenes(options.scenes)) {
+    const fs::path result = options.output / scene_name(scene) / "result.json";
+    std::error_code ignored;
+    if (fs::exists(result, ignored))
+      throw ConfigError(result.string() +
+                        ": would not belong to the labels that are written beside it; choose another " + "--output");
+  }
+}
+
 int evaluate(const Options& options) {
   const ThreadLimit limit(options.pipeline.threads);
+  require_no_results(options);
   if (!options.predictions.empty()) return score_predictions(options);
   if (options.image != labels_image && options.image != objects_image)
     throw ConfigError("--image " + options.image + ": without --predictions it is labels.png or objects.png");
@@ -314,7 +328,7 @@ void add_evaluate(CLI::App& app, Run& run) {
   CLI::Option* folds = command
                            .add_option("--cross-validate", options->folds,
                                        "Segment each of K folds of the scenes with a model trained on the others")
-                           ->check(CLI::Range(2, 1000000))
+                           ->check(number_in(2, 1000000))
                            ->excludes(predictions)
                            ->type_name("K");
   command
@@ -327,6 +341,7 @@ void add_evaluate(CLI::App& app, Run& run) {
   command
       .add_option("--seed", options->seed,
                   "Seed of the random order in which scenes are assigned to folds; 0: natural order")
+      ->check(seed_number())
       ->needs(folds)
       ->type_name("S");
   command
@@ -346,7 +361,6 @@ void add_evaluate(CLI::App& app, Run& run) {
       .add_option("--output", options->output,
                   "Also write DIR/<scene>/labels.png and objects.png, and where models are "
                   "trained the diagram DIR/reliability.svg")
-      ->check(not_empty)
       ->excludes(predictions)
       ->type_name("DIR");
   command.add_flag("--json", options->json, "Print every value as a fraction, for programs");

@@ -11,6 +11,8 @@
 #include <sstream>
 
 #include "command.h"
+#include "gestalt/apps/number_in.h"
+#include "gestalt/apps/output_check.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/output_file.h"
 #include "gestalt/io/result/result.h"
@@ -164,6 +166,7 @@ std::string format_of(const Options& options) {
 
 int export_surfaces(const Options& options) {
   const std::string format = format_of(options);
+  require_not_read("--output", options.output, {options.result});
   const StoredResult result = read_result(options.result);
   if (!result.warning.empty()) std::cerr << "gestalt: warning: " << result.warning << '\n';
   TriangulationBudget budget;
@@ -187,10 +190,7 @@ void add_export(CLI::App& app, Run& run) {
   CLI::App* command =
       app.add_subcommand("export", "Write the surfaces of a result as a mesh; print their size and error");
   command->add_option("RESULT", options->result, "result.json of a scene")->required();
-  command->add_option("--output", options->output, "Mesh file to write")
-      ->required()
-      ->check(not_empty)
-      ->type_name("FILE");
+  command->add_option("--output", options->output, "Mesh file to write")->required()->type_name("FILE");
   command
       ->add_option("--format", options->format, "Format of the mesh (default: by the extension of --output, else ply)")
       ->check(CLI::IsMember(std::vector<std::string>(formats.begin(), formats.end())));
@@ -198,7 +198,7 @@ void add_export(CLI::App& app, Run& run) {
   command
       ->add_option("--tolerance", options->tolerance,
                    "Largest distance of a triangle's edge to its surface, millimetres")
-      ->check(CLI::Range(0.01, 1000.0))
+      ->check(number_in(0.01, 1000.0))
       ->capture_default_str();
   command->footer("Example: gestalt export out/demo_scene/result.json --format ply --output demo.ply");
   command->callback([options, &run] { run = [options] { return export_surfaces(*options); }; });

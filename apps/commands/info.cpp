@@ -15,6 +15,7 @@
 #include "command.h"
 #include "gestalt/apps/frame_options.h"
 #include "gestalt/apps/input_picture.h"
+#include "gestalt/apps/output_check.h"
 #include "gestalt/apps/reading_options.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
@@ -102,6 +103,7 @@ Description describe_scene(const SceneFormat& format, const fs::path& scene, con
   const Input input = read_and_warn(scene, options.read);
   add_scene(description, input, camera_source(format, scene, options.read));
   if (!options.picture.empty()) {
+    require_of_no_scene("--picture", options.picture, {scene});
     write_files({{options.picture, input_picture(input.frame)}});
     description["picture"] = options.picture.string();
   }

@@ -6,6 +6,7 @@
 #include <nlohmann/json.hpp>
 
 #include "command.h"
+#include "gestalt/apps/output_check.h"
 #include "gestalt/apps/pipeline_options.h"
 #include "gestalt/apps/reading_options.h"
 #include "gestalt/core/base/error.h"
@@ -110,7 +111,12 @@ json inspect_result(const Result& result, const Options& options) {
 int inspect(const Options& options) {
   const ThreadLimit limit(options.pipeline.threads);
   std::vector<json> scenes;
-  for (const fs::path& path : options.results) scenes.push_back(inspect_result(read(path), options));
+  for (const fs::path& path : options.results) {
+    const Result result = read(path);
+    require_not_read("--output", options.output, {result.file});
+    require_of_no_scene("--output", options.output, {scene_of(result, options)});
+    scenes.push_back(inspect_result(result, options));
+  }
   const std::string page = inspector_page(std::move(scenes));
   write_file(options.output, page);
   std::cout << options.output.string() << ": " << options.results.size()
@@ -123,10 +129,7 @@ void add_inspect(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand(
       "inspect", "Write a page that shows how results came about: layers, relations, the graph and its cut");
   command->add_option("RESULT", options->results, "result.json of scenes, or folders with one")->required();
-  command->add_option("--output", options->output, "HTML file to write")
-      ->check(not_empty)
-      ->capture_default_str()
-      ->type_name("FILE");
+  command->add_option("--output", options->output, "HTML file to write")->capture_default_str()->type_name("FILE");
   command->add_option("--scene", options->scenes, "Location of the scene, or of a folder of scenes, if it was moved")
       ->type_name("PATH");
   add_reading_options(*command, options->reading);

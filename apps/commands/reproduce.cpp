@@ -10,6 +10,7 @@
 
 #include "command.h"
 #include "gestalt/apps/experiments.h"
+#include "gestalt/apps/number_in.h"
 #include "gestalt/apps/pipeline_options.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/evaluation/score/scene_sets.h"
@@ -104,11 +105,10 @@ void add_reproduce(CLI::App& app, Run& run) {
   command
       ->add_option("--output", options->output,
                    "Folder for report.md, report.html, figures, and results/, which later runs reuse")
-      ->check(not_empty)
       ->required()
       ->type_name("DIR");
   command->add_option("--cross-validate", options->folds, "Folds where there is no test set")
-      ->check(CLI::Range(2, 1000000))
+      ->check(number_in(2, 1000000))
       ->capture_default_str()
       ->type_name("K");
   command

@@ -11,6 +11,7 @@
 #include "command.h"
 #include "gestalt/apps/counted.h"
 #include "gestalt/apps/interruption.h"
+#include "gestalt/apps/number_in.h"
 #include "gestalt/apps/scene_batch.h"
 #include "gestalt/apps/scene_segmenter.h"
 #include "gestalt/apps/stream/frame_queue.h"
@@ -129,14 +130,14 @@ void add_stream(CLI::App& app, Run& run) {
       ->type_name("SOURCE");
   command->add_flag("--follow", options->follow, "Wait for more scenes in the folder, until SIGINT, SIGTERM or --idle");
   command->add_option("--idle", options->idle, "Exit after this many seconds without a frame; 0: never")
-      ->check(CLI::Range(0.0, 1e6))
+      ->check(number_in(0.0, 1e6))
       ->capture_default_str()
       ->type_name("SECONDS");
   CLI::Option* queue =
       command
           ->add_option("--queue", options->queue,
                        "Largest number of waiting frames; the source is blocked while the queue is full")
-          ->check(CLI::Range(std::size_t{1}, std::size_t{1000000}))
+          ->check(number_in(std::size_t{1}, std::size_t{1000000}))
           ->capture_default_str()
           ->type_name("N");
   command->add_flag("--drop", options->drop, "Keep only the newest waiting frame and drop older ones")->excludes(queue);

@@ -9,6 +9,7 @@
 #include <vector>
 
 #include "command.h"
+#include "gestalt/apps/number_in.h"
 #include "gestalt/apps/pipeline_options.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/for_all.h"
@@ -90,28 +91,29 @@ void add_synthesize(CLI::App& app, Run& run) {
   auto options = std::make_shared<SynthesizeOptions>();
   command.footer("Example: gestalt synthesize --category complex_scene --seed 1 --count 5 --output scenes");
   command.add_option("--category", options->category, "One of " + known_names(category_names()))->required();
-  command.add_option("--seed", options->seed, "The same seed gives the same scenes")->capture_default_str();
-  command.add_option("--count", options->count, "Scenes to make")->check(CLI::Range(1, 100000))->capture_default_str();
+  command.add_option("--seed", options->seed, "The same seed gives the same scenes")
+      ->check(seed_number())
+      ->capture_default_str();
+  command.add_option("--count", options->count, "Scenes to make")->check(number_in(1, 100000))->capture_default_str();
   command
       .add_option("--output", options->output,
                   "Folder for <category>[_<sensor>]_<seed>_<index>/{rgb,depth,label}.png and camera.yaml; the "
                   "categories go to a file of "
                   "the folder's name with .csv beside it")
-      ->check(not_empty)
       ->type_name("DIR")
       ->required();
   command.add_option("--sensor", options->sensor, "How depth is measured, one of " + known_names(sensor_model_names()))
       ->capture_default_str();
   CLI::Option& width = *command.add_option("--width", options->width, "Columns of the images")
-                            ->check(CLI::Range(40, 8192))
+                            ->check(number_in(40, 8192))
                             ->capture_default_str();
   CLI::Option& height = *command.add_option("--height", options->height, "Rows of the images")
-                             ->check(CLI::Range(30, 8192))
+                             ->check(number_in(30, 8192))
                              ->capture_default_str();
   CLI::Option& focal_length = *command
                                    .add_option("--focal-length", options->focal_length,
                                                "Of the camera, pixels; by default that of a Kinect, 525 at 640 columns")
-                                   ->check(CLI::Range(20.0, 20000.0))
+                                   ->check(number_in(20.0, 20000.0))
                                    ->type_name("PX");
   command
       .add_option("--camera", options->camera, "Intrinsics and size of the images, in place of the three options above")
@@ -120,7 +122,7 @@ void add_synthesize(CLI::App& app, Run& run) {
       ->excludes(&height)
       ->excludes(&focal_length);
   command.add_option("--threads", options->threads, "Threads to use (0: all); the result is the same for any number")
-      ->check(CLI::Range(0, 1024));
+      ->check(number_in(0, 1024));
   command.callback([options, &run] { run = [options] { return synthesize_scenes(*options); }; });
 }
 

@@ -9,6 +9,7 @@
 #include "command.h"
 #include "gestalt/apps/counted.h"
 #include "gestalt/apps/depth_only.h"
+#include "gestalt/apps/output_check.h"
 #include "gestalt/apps/pipeline_options.h"
 #include "gestalt/apps/reading_options.h"
 #include "gestalt/core/base/error.h"
@@ -43,6 +44,8 @@ void print_model(const Model& model, Level level) {
 int train(const Options& options) {
   const ThreadLimit limit(options.pipeline.threads);
   const std::vector<std::filesystem::path> scenes = find_scenes(options.scenes);
+  require_of_no_scene("--output", options.output, scenes);
+  require_not_read("--output", options.output, {options.pipeline.config, options.reading.camera});
   const ReadOptions read = read_options(options.reading);
   const PipelineOptions chosen =
       options_for_all(options.pipeline, scenes, read, "; use the model with --config depth_only.yaml, too");
@@ -76,10 +79,7 @@ void add_train(CLI::App& app, Run& run) {
   command->add_option("scenes", options->scenes, "Scene folders with label.png, or folders of those")
       ->required()
       ->type_name("SCENES");
-  command->add_option("--output", options->output, "Model file to write")
-      ->check(not_empty)
-      ->required()
-      ->type_name("MODEL");
+  command->add_option("--output", options->output, "Model file to write")->required()->type_name("MODEL");
   add_reading_options(*command, options->reading);
   add_pipeline_options(*command, options->pipeline);
   command->footer(

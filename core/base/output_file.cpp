@@ -119,9 +119,12 @@ class StagedFile {
   ~StagedFile() { remove(); }
 
   /// Removes what has the final name.
-  void retract() const {
-    if (::unlinkat(folder_, name_.c_str(), 0) != 0 && errno != ENOENT)
-      fail(file_, std::strerror(errno) + std::string(choose_another));
+  void retract() const { retract(name_); }
+
+  /// The same for another file beside it.
+  void retract(const fs::path& name) const {
+    if (::unlinkat(folder_, name.c_str(), 0) != 0 && errno != ENOENT)
+      fail(file_.parent_path() / name, std::strerror(errno) + std::string(choose_another));
   }
 
   FolderLock lock_folder() const { return {folder_, file_.parent_path()}; }
@@ -203,15 +206,20 @@ OutputPath OutputPath::operator/(const std::filesystem::path& name) const {
 
 namespace {
 
-/// Gives files their names; last, when it is there, tells that all of the others have theirs.
-void publish_together(std::deque<StagedFile>& staged, StagedFile* last) {
+using Names = std::function<std::vector<std::string>()>;
+
+/// Gives files their names; last, when it is there, tells that all of the others have theirs, and has others beside it
+/// that are outdated.
+void publish_together(std::deque<StagedFile>& staged, StagedFile* last, const Names& outdated) {
   // In one order, so that no two writers wait for each other.
   std::map<std::pair<dev_t, ino_t>, const StagedFile*> folders;
   for (const StagedFile& file : staged) folders.emplace(file.folder(), &file);
   if (last) folders.emplace(last->folder(), last);
   std::deque<FolderLock> locks;
   for (const auto& [folder, file] : folders) locks.push_back(file->lock_folder());
+  const std::vector<std::string> old = outdated ? outdated() : std::vector<std::string>();
   if (last) last->retract();
+  for (const std::string& name : old) last->retract(name);
   for (StagedFile& file : staged) file.publish();
   if (last) last->publish();
 }
@@ -224,14 +232,14 @@ void write_files(const std::vector<OutputFile>& files) {
   std::deque<StagedFile> staged;
   for (const auto& [file, bytes] : files) staged.emplace_back(file, bytes);
   if (staged.size() == 1) return staged.front().publish();
-  publish_together(staged, nullptr);
+  publish_together(staged, nullptr, {});
 }
 
-void write_files(const std::vector<OutputFile>& files, const OutputFile& last) {
+void write_files(const std::vector<OutputFile>& files, const OutputFile& last, const Names& outdated) {
   std::deque<StagedFile> staged;
   for (const auto& [file, bytes] : files) staged.emplace_back(file, bytes);
   StagedFile staged_last(last.file, last.bytes);
-  publish_together(staged, &staged_last);
+  publish_together(staged, &staged_last, outdated);
 }
 
 void update_file(const OutputPath& file, const std::function<std::string()>& content) {

@@ -51,8 +51,10 @@ GESTALT_EXPORT void write_files(const std::vector<OutputFile>& files);
 
 /// The same with a file that tells that all others are there: the old one is removed before any other gets its final
 /// name, the new one gets its own last. So the others belong to it wherever it is found, even when the process was
-/// killed.
-GESTALT_EXPORT void write_files(const std::vector<OutputFile>& files, const OutputFile& last);
+/// killed. outdated gives the names beside it of files that belong to the old one, and are removed with that; it is
+/// called while no one else changes files of the folder by these functions.
+GESTALT_EXPORT void write_files(const std::vector<OutputFile>& files, const OutputFile& last,
+                                const std::function<std::vector<std::string>()>& outdated = {});
 
 /// write_files for a file that follows from what was there: content is called, and reads that, while no one else
 /// changes files of the folder by these functions.

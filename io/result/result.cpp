@@ -16,6 +16,7 @@
 #include "gestalt/core/base/isolated.h"
 #include "gestalt/core/base/output_file.h"
 #include "gestalt/core/scene/contour.h"
+#include "gestalt/io/result/result_digests.h"
 #include "gestalt/io/scene/png_codec.h"
 #include "gestalt/io/scene/point_cloud.h"
 
@@ -122,6 +123,13 @@ Json noise_json(const DepthNoise& noise) {
 
 }  // namespace
 
+const std::set<std::string>& result_names() {
+  static const std::set<std::string> names{
+      "labels.png",         "objects.png",  "overlay.png", "patches.png", "labels.pcd",   "result.json",  "normals.png",
+      "signal_patches.png", "surfaces.png", "lines.png",   "graph.png",   "labelled.pcd", "labelled.ply", "coco.json"};
+  return names;
+}
+
 Json result_json(const Input& input, const SegmentedFrame& found, const Json& config) {
   const auto& [percept, segmentation, times] = found;
   Json patches;
@@ -165,7 +173,13 @@ void write_result(const OutputPath& folder, const Input& input, const SegmentedF
   Json result = result_json(input, found, config);
   for (const auto& [file, bytes] : files) result["files"][file.path().filename().string()] = digest(bytes);
   // A scene's name comes from a path, which may be no UTF-8.
-  write_files(files, {folder / "result.json", result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"});
+  const OutputPath last = folder / "result.json";
+  const auto outdated = [&] {
+    std::vector<std::string> names = own_files(last.path());
+    std::erase_if(names, [](const std::string& name) { return !result_names().contains(name); });
+    return names;
+  };
+  write_files(files, {last, result.dump(1, ' ', false, Json::error_handler_t::replace) + "\n"}, outdated);
 }
 
 }  // namespace gestalt

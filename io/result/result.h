@@ -5,6 +5,7 @@
 #include <filesystem>
 #include <nlohmann/json_fwd.hpp>
 #include <opencv2/core.hpp>
+#include <set>
 #include <string>
 #include <vector>
 
@@ -14,6 +15,9 @@
 #include "gestalt/io/scene/input.h"
 
 namespace gestalt {
+
+/// The names of all files that the folder of a scene's results may have.
+GESTALT_EXPORT const std::set<std::string>& result_names();
 
 /// Everything that was found in a scene and how: the input's absolute path, camera, segments with their roles, surfaces
 /// and pixel counts, patches with their surface models, pairs with all relation values and p, milliseconds of each
@@ -52,8 +56,8 @@ GESTALT_EXPORT cv::Mat draw_graph(const Frame& frame, const SurfaceSet& surfaces
 /// Writes labels.png, objects.png (the same with background at 0), overlay.png, patches.png and result.json, for
 /// unorganized clouds also labels.pcd (x y z label, the original points in their order; label 0 = in no segment), into
 /// a folder, and the files in more: all of them or, with OutputError, none. result.json comes last, and an old one is
-/// removed first: where it is, all files are and belong together. It has their digests, by which readers see it where
-/// somebody else has changed one.
+/// removed first, and with it what it has written and is not written now: where it is, all files are and belong
+/// together. It has their digests, by which readers see it where somebody else has changed one.
 GESTALT_EXPORT void write_result(const OutputPath& folder, const Input& input, const SegmentedFrame& found,
                                  const nlohmann::json& config, std::vector<OutputFile> more = {});
 

@@ -44,6 +44,23 @@ std::vector<std::string> foreign_files(const fs::path& result, const json& conte
   return foreign;
 }
 
+std::vector<std::string> own_files(const fs::path& result) {
+  std::error_code error;
+  if (!fs::is_regular_file(result, error)) return {};
+  std::vector<std::string> own;
+  try {
+    const json digests = digests_of(read_result_content(result));
+    for (const auto& [name, digest] : digests.items()) {
+      const fs::path file = result.parent_path() / name;
+      if (fs::path(name) == file.filename() && fs::is_regular_file(file, error) && file_digest(file) == digest)
+        own.push_back(name);
+    }
+  } catch (const InputError&) {
+    return {};  // of another program, or damaged
+  }
+  return own;
+}
+
 std::string warning_of_foreign_files(const fs::path& result, const json& content) {
   std::string names;
   for (const std::string& name : foreign_files(result, content)) names += (names.empty() ? "" : ", ") + name;

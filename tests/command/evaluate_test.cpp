@@ -122,5 +122,11 @@ TEST_F(Evaluate, WhatCannotBeLeftOutIsToldWithTheRemedy) {
          {synthetic_scene(), "test scene and a training scene"});
 }
 
+TEST_F(Evaluate, LabelsAreNotWrittenAmongResults) {
+  expect_success(run_gestalt({"segment", synthetic_scene(), "--output", folder.path()}));
+  expect_refused(run_gestalt({"evaluate", synthetic_scene(), "--output", folder.path()}), 2,
+                 {"result.json", "choose another --output"});
+}
+
 }  // namespace
 }  // namespace gestalt::test

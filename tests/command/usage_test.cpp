@@ -321,5 +321,60 @@ TEST(Info, TellsEachFormatOfScenes) {
     }
 }
 
+// A script's variable that is not set.
+TEST(Usage, AnEmptyValueIsRefused) {
+  for (const std::vector<std::string>& words :
+       std::vector<std::vector<std::string>>{{"segment", ""},
+                                             {"segment", "x", "--camera", ""},
+                                             {"segment", "x", "--config", ""},
+                                             {"info", ""},
+                                             {"inspect", "x", "--scene", ""},
+                                             {"evaluate", "x", "--predictions", ""},
+                                             {"config", "check", ""}}) {
+    const Outcome outcome = run_gestalt(words);
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_EQ(occurrences("is empty", outcome.err), 1) << outcome.err;
+  }
+}
+
+TEST(Usage, WhatIsNoNumberOfTheRangeIsRefused) {
+  for (const std::vector<std::string>& words : std::vector<std::vector<std::string>>{
+           {"segment", "x", "--depth-scale", "nan"},
+           {"segment", "x", "--depth-scale", "0"},
+           {"segment", "x", "--max-depth", "nan"},
+           {"stream", "x", "--idle", "nan"},
+           {"stream", "x", "--queue", "-1"},
+           {"evaluate", "x", "--cross-validate", "2", "--seed", "-1"},
+           {"ablate", "x", "--output", "y", "--seed", "99999999999999999999"},
+           {"synthesize", "--category", "boxes", "--output", "y", "--seed", "-1"},
+           {"synthesize", "--category", "boxes", "--output", "y", "--focal-length", "nan"},
+           {"segment", "x", "--threads", "1e3"}}) {
+    const Outcome outcome = run_gestalt(words);
+    EXPECT_EQ(outcome.code, 2) << outcome.err;
+    EXPECT_GT(occurrences("'" + words.back() + "' is not a ", outcome.err), 0) << outcome.err;
+    EXPECT_EQ(occurrences("0.000000", outcome.err), 0) << outcome.err;
+  }
+}
+
+TEST(Usage, AFileThatIsReadIsNotReplaced) {
+  const TemporaryFolder folder;
+  const fs::path scene = folder.path() / "scene";
+  fs::copy(synthetic_scene(), scene);
+  fs::copy(synthetic_scenes() / "camera.yaml", scene / "camera.yaml");
+  expect_success(run_gestalt({"segment", scene, "--output", folder.path()}));
+  const fs::path result = scene / "result.json";
+  const auto expect_kept = [](const std::vector<std::string>& words, const fs::path& file) {
+    const std::string before = content(file);
+    expect_refused(run_gestalt(words), 2, {file.string(), "is read"});
+    EXPECT_EQ(content(file), before);
+  };
+  expect_kept({"train", scene, "--output", scene / "label.png"}, scene / "label.png");
+  expect_kept({"train", scene, "--output", scene / "camera.yaml"}, scene / "camera.yaml");
+  expect_kept({"info", scene, "--picture", scene / "depth.png"}, scene / "depth.png");
+  expect_kept({"export", result, "--output", result}, result);
+  expect_kept({"inspect", result, "--output", result}, result);
+  expect_kept({"inspect", result, "--output", scene / "rgb.png"}, scene / "rgb.png");
+}
+
 }  // namespace
 }  // namespace gestalt::test

@@ -1,0 +1,27 @@
+// SPDX-FileCopyrightText: 2026 The Gestalt authors
+// SPDX-License-Identifier: BSD-3-Clause
+
+#include "output_check.h"
+
+#include "gestalt/core/base/error.h"
+#include "gestalt/io/scene/scene_files.h"
+
+namespace gestalt::app {
+
+namespace fs = std::filesystem;
+
+void require_not_read(const std::string& option, const fs::path& output, const std::vector<fs::path>& inputs) {
+  for (const fs::path& input : inputs) {
+    std::error_code ignored;
+    if (fs::equivalent(output, input, ignored))
+      throw ConfigError(option + " " + output.string() + ": is read, and would be replaced; choose another " + option);
+  }
+}
+
+void require_of_no_scene(const std::string& option, const fs::path& output, const std::vector<fs::path>& scenes) {
+  std::error_code ignored;
+  if (!fs::exists(output, ignored)) return;
+  for (const fs::path& scene : scenes) require_not_read(option, output, scene_files(scene));
+}
+
+}  // namespace gestalt::app
