@@ -212,8 +212,10 @@ TEST_F(StreamCommand, RefusesWhatIsNoSource) {
 
 TEST_F(StreamCommand, AFolderWithoutScenesIsRefused) {
   const TemporaryFolder empty;
-  expect_refused(run_gestalt({"stream", empty.path(), "--output", empty.path() / "out"}), 3,
-                 {empty.path().string(), "holds no scene", "--follow"});
+  const Outcome outcome = run_gestalt({"stream", empty.path(), "--output", empty.path() / "out"});
+  EXPECT_EQ(outcome.code, 3);
+  EXPECT_EQ(occurrences(empty.path().string() + ": holds no scene", outcome.err), 1) << outcome.err;
+  EXPECT_EQ(occurrences("--follow", outcome.err), 1) << outcome.err;
 }
 
 TEST_F(StreamCommand, AFileThatIsNoSceneIsNamed) {
