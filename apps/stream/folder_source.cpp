@@ -40,7 +40,7 @@ void FolderSource::look() {
     present.insert(path);
   }
   if (error) throw InputError(folder_.string() + ": cannot be listed: " + error.message());
-  // Who waits for scenes may wait in an empty folder.
+  // With --follow, scenes may come later.
   if (!follow_ && new_.empty())
     throw InputError(folder_.string() + ": holds no scene; give the folder that holds scenes, " +
                      scene_extensions(" or ") + " files, or add --follow to wait for them");
