@@ -28,7 +28,8 @@ constexpr std::size_t most_colours = 1000;  // more are those of a photograph
 bool is_grey(const fs::path& png) {
   constexpr int colour_type = 25;  // byte of the header
   std::error_code error;
-  if (!fs::is_regular_file(png, error)) return false;  // opening a pipe would wait for its writer; its reader reports that
+  if (!fs::is_regular_file(png, error))
+    return false;  // opening a pipe would wait for its writer; its reader reports that
   std::ifstream file(png, std::ios::binary);
   char header[colour_type + 1] = {};
   return file.read(header, sizeof header) && header[colour_type] == 0;
