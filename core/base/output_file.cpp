@@ -59,6 +59,11 @@ bool is_link(int folder, const fs::path& name) {
   return ::fstatat(folder, name.c_str(), &status, AT_SYMLINK_NOFOLLOW) == 0 && S_ISLNK(status.st_mode);
 }
 
+/// Whether a part of a way below a folder, as data may have named it, is none of a folder there.
+bool leads_out(const fs::path& name) { return name == ".." || name.is_absolute(); }
+
+bool has_nul(const fs::path& name) { return name.native().find('\0') != fs::path::string_type::npos; }
+
 /// What the user has named as a folder, and what of the way below it leads to one.
 struct Way {
   fs::path named, below;
@@ -80,7 +85,8 @@ Descriptor open_folder(const Way& way, const fs::path& file) {
   if (!folder) fail(file, std::strerror(errno) + std::string(choose_another));
   for (const fs::path& name : way.below) {
     path /= name;
-    if (name == "..") fail(file, path.string() + " leads outside the output folder");
+    if (leads_out(name)) fail(file, path.string() + " leads outside the output folder");
+    if (has_nul(name)) fail(file.parent_path().c_str(), "its name has a NUL character, which no file's can; rename it");
     if (::mkdirat(folder, name.c_str(), 0777) != 0 && errno != EEXIST)
       fail(file, std::strerror(errno) + std::string(choose_another));
     Descriptor inner(::openat(folder, name.c_str(), as_folder | O_NOFOLLOW));
@@ -251,7 +257,7 @@ void update_file(const OutputPath& file, const std::function<std::string()>& con
 void remove_abandoned(const OutputPath& place) {
   Descriptor folder(::open(place.named().empty() ? "." : place.named().c_str(), as_folder));
   for (const fs::path& name : place.below())
-    if (folder) folder = Descriptor(::openat(folder, name.c_str(), as_folder | O_NOFOLLOW));
+    if (folder) folder = Descriptor(leads_out(name) ? -1 : ::openat(folder, name.c_str(), as_folder | O_NOFOLLOW));
   if (!folder) return;
   const std::unique_ptr<DIR, int (*)(DIR*)> entries(::fdopendir(::dup(folder)), ::closedir);
   if (!entries) return;

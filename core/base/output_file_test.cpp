@@ -90,6 +90,18 @@ TEST_F(OutputFiles, OfSeveralFoldersAreNotMixed) {
   backwards.join();
 }
 
+TEST_F(OutputFiles, NoNameBelowAFolderLeadsElsewhere) {
+  using namespace std::string_literals;
+  const fs::path elsewhere = folder.path() / "elsewhere";
+  for (const fs::path& name : {elsewhere, fs::path("..") / "elsewhere", fs::path("a\0b"s)})
+    EXPECT_THROW(write_files({{OutputPath(out) / name / "x", "x"}}), OutputError) << name;
+  EXPECT_FALSE(fs::exists(elsewhere));
+  EXPECT_FALSE(fs::exists(out / "a"));
+  folder.write("elsewhere/.gestalt-0123456789abcdef.tmp", "x");
+  remove_abandoned(OutputPath(out) / elsewhere);
+  EXPECT_TRUE(fs::exists(elsewhere / ".gestalt-0123456789abcdef.tmp"));
+}
+
 TEST_F(OutputFiles, AnUpdateLosesNoOther) {
   constexpr int updates = 50;
   const auto append = [&](const std::string& text) {

@@ -154,6 +154,10 @@ class PipelineTest(unittest.TestCase):
                 self.result.save(root, "link")
             with self.assertRaises(gestalt.OutputError):
                 self.result.save(root, "../elsewhere")
+            with self.assertRaisesRegex(gestalt.OutputError, "leads outside the output folder"):
+                self.result.save(root, str(elsewhere))
+            with self.assertRaisesRegex(gestalt.OutputError, "NUL character"):
+                self.result.save(root, "frame\0")
             self.assertEqual(list(elsewhere.iterdir()), [])
             self.result.save(root, "frame")
             self.assertTrue((root / "frame" / "result.json").exists())
