@@ -172,7 +172,9 @@ Description describe_json(const fs::path& file) try {
   if (format == "gestalt-result") return describe_result(file, content);
   return describe_camera_file(file);
 } catch (const nlohmann::json::exception& error) {
-  fail(file, std::string("is not a complete model or result: ") + error.what());
+  const std::string what = error.what();  // [json.exception.KIND.NUMBER] WHAT
+  fail(file,
+       "is not a complete model or result: " + what.substr(what.find("] ") == what.npos ? 0 : what.find("] ") + 2));
 }
 
 Description describe_yaml(const fs::path& file) {

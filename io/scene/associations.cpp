@@ -48,12 +48,18 @@ Stamped stamped(const std::vector<std::string_view>& words, std::size_t at, cons
 /// Calls line(words, place) for every line that is not a comment (#).
 template <class Line>
 void read_lines(const fs::path& list, const Line& line) {
+  constexpr std::string_view byte_order_mark = "\xef\xbb\xbf";  // editors of Windows begin a text with it
   std::istringstream text(read_bytes(list, largest_list));
   std::string all;
   for (int number = 1; std::getline(text, all); ++number) {
+    const std::string place = list.string() + ":" + std::to_string(number);
+    if (number == 1 && all.starts_with(byte_order_mark)) all.erase(0, byte_order_mark.size());
+    // The system would take what is before it for the name.
+    if (all.find('\0') != all.npos)
+      throw InputError(place + ": contains a NUL character, which no file's name can; write the list again as text");
     const std::vector<std::string_view> words = words_of(all);
     if (words.empty() || words[0].starts_with('#')) continue;
-    line(words, list.string() + ":" + std::to_string(number));
+    line(words, place);
   }
 }
 

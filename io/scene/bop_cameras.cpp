@@ -4,6 +4,7 @@
 #include "bop_cameras.h"
 
 #include <algorithm>
+#include <functional>
 #include <nlohmann/json.hpp>
 #include <vector>
 
@@ -19,6 +20,8 @@ using nlohmann::json;
 namespace {
 
 constexpr std::uintmax_t largest_cameras = std::uintmax_t{1} << 28;  // bytes
+constexpr std::size_t number_digits = 6;                             // at most, of an image
+constexpr const char* two_cameras = "has two cameras, with and without leading zeros; keep the one that is right";
 
 json read_cameras(const fs::path& scene) {
   const fs::path file = scene / bop_cameras_file;
@@ -28,18 +31,33 @@ json read_cameras(const fs::path& scene) {
   return cameras;
 }
 
+/// Keys of some data sets have leading zeros.
+json entry_of(const json& cameras, int number, const std::function<void(const std::string&)>& fail) {
+  json entry;
+  std::string key = std::to_string(number);
+  for (const std::size_t longest = std::max(key.size(), number_digits); key.size() <= longest; key.insert(0, "0")) {
+    if (!cameras.contains(key)) continue;
+    if (!entry.is_null()) fail(two_cameras);
+    entry = cameras.at(key);
+  }
+  if (entry.is_null()) fail("has no camera; take the file of the data set, or give --camera FILE");
+  return entry;
+}
+
 }  // namespace
 
 std::vector<int> bop_image_numbers(const fs::path& scene) {
   std::vector<int> numbers;
   const json cameras = read_cameras(scene);
   for (const auto& [key, camera] : cameras.items()) {
-    if (key.empty() || key.size() > 6 || key.find_first_not_of("0123456789") != key.npos)
+    if (key.empty() || key.size() > number_digits || key.find_first_not_of("0123456789") != key.npos)
       throw InputError((scene / bop_cameras_file).string() + ": '" + key.substr(0, 40) +
                        "' is not the number of an image");
     numbers.push_back(std::stoi(key));
   }
   std::sort(numbers.begin(), numbers.end());
+  if (const auto twice = std::adjacent_find(numbers.begin(), numbers.end()); twice != numbers.end())
+    throw InputError((scene / bop_cameras_file).string() + ": " + std::to_string(*twice) + ": " + two_cameras);
   return numbers;
 }
 
@@ -47,8 +65,8 @@ CameraFile read_bop_camera(const fs::path& scene, int number, cv::Size size) {
   const fs::path file = scene / bop_cameras_file;
   const json cameras = read_cameras(scene);
   const std::string key = std::to_string(number);
-  const json entry = cameras.contains(key) ? cameras[key] : cameras.value(bop_digits(number), json());
   const auto fail = [&](const std::string& what) { throw InputError(file.string() + ": " + key + ": " + what); };
+  const json entry = entry_of(cameras, number, fail);
   const json k = entry.is_object() ? entry.value("cam_K", json()) : json();
   const auto is_number = [](const json& value) { return value.is_number(); };
   if (!k.is_array() || k.size() != 9 || !std::all_of(k.begin(), k.end(), is_number))
@@ -71,7 +89,7 @@ CameraFile read_bop_camera(const fs::path& scene, int number, cv::Size size) {
 
 std::string bop_digits(int number) {
   const std::string digits = std::to_string(number);
-  return std::string(digits.size() < 6 ? 6 - digits.size() : 0, '0') + digits;
+  return std::string(digits.size() < number_digits ? number_digits - digits.size() : 0, '0') + digits;
 }
 
 }  // namespace gestalt

@@ -124,8 +124,8 @@ SeenCloud see_unorganized(const fs::path& file, PointCloud cloud, const CameraFi
   constexpr double fewest = 0.5, doubtful = 0.8;
   const std::string name = camera_name(told);
   if (told.camera.width < 1 || told.camera.height < 1)
-    throw InputError(name +
-                     ": has no width and height, which an unorganized cloud needs; width and height must be positive");
+    throw InputError(name + ": has no width and height, which an unorganized cloud needs; give --camera with a file " +
+                     "that has them: width, height, fx, fy, cx, cy");
   SeenCloud seen;
   for (const std::string& note : told.notes) seen.input.notes.push_back(name + ": " + note);
   double share = share_in_image(cloud, told.camera);

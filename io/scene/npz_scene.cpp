@@ -96,9 +96,10 @@ class NpzScene {
   cv::Mat_<int> label() const {
     const NpyArray* array = find("label");
     if (!array) return {};
-    if (array->kind == 'f' || array->shape != Shape{rows(), columns()})
-      fail("label", "must be of integers and have the shape " + shape_text({rows(), columns()}) + ", it has " +
-                        shape_text(array->shape));
+    if (array->kind == 'f') fail("label", "is of floats; write it as integers, as label.astype('uint16') has them");
+    if (array->shape != Shape{rows(), columns()})
+      fail("label",
+           "must have the shape of depth, " + shape_text({rows(), columns()}) + ", it has " + shape_text(array->shape));
     cv::Mat_<int> label(size_);
     for (std::size_t i = 0; i < label.total(); ++i) {
       const double value = array->at(i);

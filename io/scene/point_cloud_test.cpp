@@ -534,7 +534,7 @@ TEST_F(Pcd, RefusesAnUnorganizedCloudOfAnotherCamera) {
   const fs::path file = write_with("WIDTH 2\nHEIGHT 2", "WIDTH 4\nHEIGHT 1");
   expect_parts(error_of(file, Camera{2, 2, 5000, 5000, 0, 2}), {"no point lies in the image of the given camera"});
   EXPECT_NE(error_of(file, Camera{8, 6, 0, 1, 1, 1}), "");
-  expect_parts(error_of(file, Camera{-8, 6, 1, 1, 1, 1}), {"width and height must be positive"});
+  expect_parts(error_of(file, Camera{-8, 6, 1, 1, 1, 1}), {"has no width and height", "give --camera with a file"});
 }
 
 TEST_F(Pcd, OfOneRowIsOrganizedForACameraOfItsSize) {

@@ -137,13 +137,26 @@ TEST_F(Convert, ScenesOfOneNameAreRefused) {
                                            "000000": {"cam_K": [75,0,39.5,0,75,29.5,0,0,1]}})");
   fs::create_directories(folder.path() / "bop" / "depth");
   write_image(folder.path() / "bop" / "depth" / "000000.png", small_wall());
-  expect_refused(convert(folder.path() / "bop", "bop"), 3, {"000000.png: is given twice"});
+  expect_refused(convert(folder.path() / "bop", "bop"), 3, {"scene_camera.json: 0: has two cameras"});
   fs::create_directories(folder.path() / "bop" / "rgb");
   write_image(folder.path() / "bop" / "rgb" / "000000.png", cv::Mat(small_wall().size(), CV_8UC3, cv::Scalar(9, 8, 7)));
   for (const char* k : {"[75,9,39.5,0,75,29.5,0,0,1]", "[75,0,39.5,9,75,29.5,0,0,1]", "[75,0,39.5,0,75,29.5,0,0,2]"}) {
     folder.write("bop/scene_camera.json", std::string(R"({"0": {"cam_K": )") + k + "}}");
     expect_refused(convert(folder.path() / "bop", "bop"), 3, {"scene_camera.json: 0: cam_K "});
   }
+  EXPECT_FALSE(fs::exists(out));
+}
+
+TEST_F(Convert, ListsMayBeginWithAMarkButHaveNoNul) {
+  using namespace std::string_literals;
+  const fs::path sequence = tum_sequence(folder, {"a/1.png"});
+  const std::string list = content(sequence / "depth.txt");
+  folder.write("tum/depth.txt", "\xef\xbb\xbf" + list);
+  EXPECT_EQ(convert(sequence, "tum", {"--camera", camera}).code, 0);
+  EXPECT_TRUE(fs::exists(out / "scenes" / "1" / "depth.png"));
+  fs::remove_all(out);
+  folder.write("tum/depth.txt", "# times\n" + list.substr(0, list.size() - 1) + "\0.png\n"s);
+  expect_refused(convert(sequence, "tum", {"--camera", camera}), 3, {"depth.txt:2: contains a NUL character"});
   EXPECT_FALSE(fs::exists(out));
 }
 

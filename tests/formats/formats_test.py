@@ -123,8 +123,8 @@ class Npz(FormatsTest):
         file = self.work / "labelled.npz"
         for text, wrong in (
             ("array 'label' has a label outside 0 to 65535", label.astype(int) - 1),
-            ("array 'label' must be of integers and have the shape (480, 640)", label[1:]),
-            ("array 'label' must be of integers and have the shape (480, 640)", label.astype(float)),
+            ("array 'label' must have the shape of depth, (480, 640)", label[1:]),
+            ("array 'label' is of floats; write it as integers", label.astype(float)),
         ):
             numpy.savez(file, depth=depth, rgb=rgb[..., ::-1], K=K, label=wrong)
             told = json.loads(self.run_gestalt("info", file, "--json"))
@@ -322,6 +322,7 @@ class Bop(FormatsTest):
             ("{", "scene_camera.json:1:2: is not valid JSON"),
             ("[]", "scene_camera.json: is not a JSON map"),
             ('{"../7": {}}', "is not the number of an image"),
+            ('{"7": {}, "007": {}}', "7: has two cameras"),
             ('{"7": {}}', "7: cam_K must be a list of 9 numbers"),
             ('{"7": 3}', "7: cam_K must be a list of 9 numbers"),
             ('{"7": {"cam_K": [1, 2, 3, 4, 5, 6, 7, 8, "nine"]}}', "cam_K must be a list of 9 numbers"),
@@ -332,6 +333,9 @@ class Bop(FormatsTest):
             with self.subTest(told):
                 file.write_text(text)
                 self.refused(told, words=("convert", scene, "--from", "bop", "--output", self.work / "out"))
+        for text, told in (('{"8": {}}', "7: has no camera"), ('{"7": {}, "000007": {}}', "7: has two cameras")):
+            file.write_text(text)
+            self.refused("scene_camera.json", told, words=("info", scene))
         self.refused("neither it nor a folder in it", words=("convert", DEMO, "--from", "bop", "--output", self.work / "out"))
         good = self.work / "good"
         scene.rename(good)
