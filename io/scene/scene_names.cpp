@@ -4,6 +4,7 @@
 #include "gestalt/io/scene/scene_names.h"
 
 #include <map>
+#include <string_view>
 
 #include "gestalt/core/base/error.h"
 
@@ -12,7 +13,7 @@ namespace gestalt {
 void check_scene_names(const std::vector<NamedScene>& scenes) {
   std::map<std::string, std::filesystem::path> names;
   for (const auto& [path, name] : scenes) {
-    if (name.empty() || name == "." || name == ".." || name.find('/') != name.npos)
+    if (name.empty() || name == "." || name == ".." || name.find_first_of(std::string_view("/\0", 2)) != name.npos)
       throw InputError(path.string() + ": has the name '" + name +
                        "', which cannot be used for a folder of results; rename it");
     const auto [other, is_new] = names.emplace(name, path);

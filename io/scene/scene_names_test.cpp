@@ -32,6 +32,7 @@ TEST(SceneNames, AreDistinct) {
 TEST(SceneNames, AreThoseOfFoldersBelowTheOutput) {
   for (const char* name : {"", ".", "..", "../a", "a/b", "/a"})
     EXPECT_NE(complaint({{"x", name}}).find("which cannot be used for a folder of results"), std::string::npos) << name;
+  EXPECT_NE(complaint({{"x", std::string("a\0b", 3)}}), "");
   EXPECT_EQ(complaint({{"x", "..."}}), "");
 }
 
