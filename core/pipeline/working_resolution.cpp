@@ -106,7 +106,7 @@ class Enlargement {
       else if (const int source = source_of(pixel, u, v); source >= 0)
         put(pixel, source);
     });
-    if (!inside && surface_at(block) != 0) put(likest(u, v), block);
+    if (!inside && surface_at(block) != 0) put(most_alike(u, v), block);
   }
 
   /// The block that a pixel belongs to; -1 where none around it has a surface.
@@ -147,15 +147,15 @@ class Enlargement {
   }
 
   /// The pixel of a block that is always its own, so that no surface is left without any.
-  int likest(int u, int v) const {
-    int likest = v * factor_ * frame_.width() + u * factor_;
+  int most_alike(int u, int v) const {
+    int most_alike = v * factor_ * frame_.width() + u * factor_;
     float least = std::numeric_limits<float>::infinity();
     for_block(frame_.depth.size(), factor_, u, v, [&](int pixel) {
       if (!frame_.valid(pixel)) return;
       const float d = difference(pixel, v * small_.width() + u, u, v);
-      if (d < least) least = d, likest = pixel;
+      if (d < least) least = d, most_alike = pixel;
     });
-    return likest;
+    return most_alike;
   }
 
   const Scene& found_;

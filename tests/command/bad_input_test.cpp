@@ -58,7 +58,6 @@ TEST_F(BadInput, TheSoundSceneIsSegmented) {
 TEST_F(BadInput, WhatDoesNotExist) {
   refuse(folder.path() / "nothing", 3, {"nothing", "does not exist"});
   refuse(folder.path() / "nothing.pcd", 3, {"nothing.pcd", "does not exist"});
-  refuse("", 3, {"does not exist"});
 }
 
 TEST_F(BadInput, WhatIsNoScene) {
