@@ -3,6 +3,8 @@
 
 #include "output_check.h"
 
+#include <algorithm>
+
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/scene/scene_files.h"
 
@@ -11,11 +13,12 @@ namespace gestalt::app {
 namespace fs = std::filesystem;
 
 void require_not_read(const std::string& option, const fs::path& output, const std::vector<fs::path>& inputs) {
-  for (const fs::path& input : inputs) {
+  const bool is_read = std::any_of(inputs.begin(), inputs.end(), [&](const fs::path& input) {
     std::error_code ignored;
-    if (fs::equivalent(output, input, ignored))
-      throw ConfigError(option + " " + output.string() + ": is read, and would be replaced; choose another " + option);
-  }
+    return fs::equivalent(output, input, ignored);
+  });
+  if (is_read)
+    throw ConfigError(option + " " + output.string() + ": is read, and would be replaced; choose another " + option);
 }
 
 void require_of_no_scene(const std::string& option, const fs::path& output, const std::vector<fs::path>& scenes) {

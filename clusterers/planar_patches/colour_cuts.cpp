@@ -99,7 +99,7 @@ class Cutting {
   std::vector<Line> candidates(const Part& part) const {
     const int width = part.mask.cols, height = part.mask.rows;
     const int farthest = int(std::hypot(width, height)) + 2, offsets = 2 * farthest + 1;
-    std::vector<float> votes(std::size_t(directions * offsets), 0);
+    cv::Mat_<float> votes(directions, offsets, 0.f);
     int voters = 0;
     for (int v = 1; v + 1 < height; ++v)
       for (int u = 1; u + 1 < width; ++u) {
@@ -110,11 +110,11 @@ class Cutting {
         for (int turn = -1; turn <= 1; ++turn) {
           const int k = (own + turn + directions) % directions;
           const auto [c, s] = unit(k);
-          votes[std::size_t(k * offsets + int(std::lround(u * c + v * s)) + farthest)] += vote;
+          votes(k, int(std::lround(u * c + v * s)) + farthest) += vote;
         }
       }
     if (voters < share_ * shortest_) return {};
-    return peaks(votes, offsets, farthest);
+    return peaks(votes, farthest);
   }
 
   /// Whether all neighbours are in the part as well: an edge of its outline cuts nothing.
@@ -134,13 +134,13 @@ class Cutting {
     return table[std::size_t(k)];
   }
 
-  std::vector<Line> peaks(const std::vector<float>& votes, int offsets, int farthest) const {
+  std::vector<Line> peaks(const cv::Mat_<float>& votes, int farthest) const {
+    const int offsets = votes.cols;
     std::vector<std::pair<float, int>> sums;  // of neighbouring offsets; negative, so that the first is the largest
     for (int k = 0; k < directions; ++k)
       for (int r = 0; r < offsets; ++r) {
         float sum = 0;
-        for (int q = std::max(0, r - reach_); q <= std::min(offsets - 1, r + reach_); ++q)
-          sum += votes[std::size_t(k * offsets + q)];
+        for (int q = std::max(0, r - reach_); q <= std::min(offsets - 1, r + reach_); ++q) sum += votes(k, q);
         if (sum >= 0.4f * float(shortest_)) sums.emplace_back(-sum, k * offsets + r);
       }
     const std::size_t most = std::min(most_candidates, sums.size());

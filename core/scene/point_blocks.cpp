@@ -28,24 +28,26 @@ struct WideBoxes {
   WidePoints low, high;
 };
 
+constexpr std::ptrdiff_t lanes = wide_lanes;
+
 GESTALT_INLINE void load(const float* from, WideFloats& to) { std::memcpy(&to, from, sizeof(to)); }
 
 GESTALT_INLINE void load(const PointBlocks& points, int block, WidePoints& p) {
   const float* from = points.block(block);
   load(from, p.x);
-  load(from + wide_lanes, p.y);
-  load(from + 2 * wide_lanes, p.z);
+  load(from + lanes, p.y);
+  load(from + 2 * lanes, p.z);
 }
 
 /// The boxes of eight blocks.
 GESTALT_INLINE void load(const PointBlocks& points, int first, WideBoxes& boxes) {
   const float* from = points.boxes(first / wide_lanes);
   load(from, boxes.low.x);
-  load(from + wide_lanes, boxes.high.x);
-  load(from + 2 * wide_lanes, boxes.low.y);
-  load(from + 3 * wide_lanes, boxes.high.y);
-  load(from + 4 * wide_lanes, boxes.low.z);
-  load(from + 5 * wide_lanes, boxes.high.z);
+  load(from + lanes, boxes.high.x);
+  load(from + 2 * lanes, boxes.low.y);
+  load(from + 3 * lanes, boxes.high.y);
+  load(from + 4 * lanes, boxes.low.z);
+  load(from + 5 * lanes, boxes.high.z);
 }
 
 /// From each of eight points to one point of a block.
@@ -58,7 +60,7 @@ GESTALT_INLINE void square_distances(const WidePoints& p, const float* block, in
 struct Box {
   Box(const PointBlocks& points, int block) {
     const float* of = points.boxes(block / wide_lanes) + block % wide_lanes;
-    for (int i = 0; i < 3; ++i) low[i] = of[2 * i * wide_lanes], high[i] = of[(2 * i + 1) * wide_lanes];
+    for (int i = 0; i < 3; ++i) low[i] = of[2 * i * lanes], high[i] = of[(2 * i + 1) * lanes];
   }
   float low[3], high[3];
 };
@@ -216,12 +218,13 @@ GESTALT_WIDE void find_nearest(const PointBlocks& from, int block, const PointBl
 
 PointBlocks::PointBlocks(const Eigen::Matrix3Xf& points) : count_(int(points.cols())) {
   const int blocks = (count_ + size - 1) / size;
-  coordinates_.reserve(std::size_t(3 * size * blocks));
-  boxes_.resize(std::size_t(6 * size * ((blocks + size - 1) / size)));
+  coordinates_.reserve(std::size_t(blocks) * 3 * size);
+  boxes_.resize(std::size_t((blocks + size - 1) / size) * 6 * size);
   for (std::size_t i = 0; i < boxes_.size(); ++i) boxes_[i] = i / size % 2 == 0 ? infinity : -infinity;
   for (int i = 0; i < blocks; ++i)
     for (int coordinate = 0; coordinate < 3; ++coordinate) {
-      float* box = boxes_.data() + 6 * size * (i / size) + 2 * size * coordinate + i % size;
+      float* box =
+          boxes_.data() + std::ptrdiff_t{6} * size * (i / size) + std::ptrdiff_t{2} * size * coordinate + i % size;
       for (int lane = 0; lane < size; ++lane) {
         const float x = points(coordinate, std::min(i * size + lane, count_ - 1));
         coordinates_.push_back(x);

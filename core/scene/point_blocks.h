@@ -3,6 +3,7 @@
 #pragma once
 
 #include <Eigen/Core>
+#include <cstddef>
 #include <vector>
 
 #include "gestalt/core/base/export.h"
@@ -24,11 +25,11 @@ class GESTALT_EXPORT PointBlocks {
   int blocks() const { return int(coordinates_.size()) / (3 * size); }
 
   /// x of the eight points, their y, their z. The last block repeats the last point.
-  const float* block(int i) const { return coordinates_.data() + 3 * size * i; }
+  const float* block(int i) const { return coordinates_.data() + std::ptrdiff_t{3} * size * i; }
 
   /// Of blocks 8 i to 8 i + 7: least x of each, largest x of each, the same of y and z. Boxes of blocks that there are
   /// not are inside out: least is infinite, largest is minus infinite.
-  const float* boxes(int i) const { return boxes_.data() + 6 * size * i; }
+  const float* boxes(int i) const { return boxes_.data() + std::ptrdiff_t{6} * size * i; }
 
  private:
   int count_;
