@@ -13,7 +13,7 @@ extern "C" {
 #endif
 
 #define GESTALT_MANIFEST_MAGIC 0x47455354u /* "GEST" */
-#define GESTALT_INTERFACE_VERSION 5u       /* raised when an interface of the core changes */
+#define GESTALT_INTERFACE_VERSION 6u       /* raised when an interface of the core changes */
 #define GESTALT_ENTRY_SYMBOL "gestalt_plugin_manifest"
 
 struct gestalt_component {

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-// Has the entry symbol, but what it gives is not a manifest of ours.
+// Has the entry symbol, but returns an invalid manifest.
 
 #include "gestalt/core/plugin/plugin.h"
 #include "one_group.h"
