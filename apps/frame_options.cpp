@@ -28,6 +28,9 @@ void add_frame_options(CLI::App& command, FrameOptions& options) {
 void require_input_or_frame(const std::vector<fs::path>& inputs, const FrameOptions& options) {
   if (inputs.empty() && options.depth.empty())
     throw CLI::ValidationError("inputs", "is required: a scene or a folder of scenes, or --depth and --rgb");
+  std::error_code ignored;
+  if (!options.depth.empty() && fs::equivalent(options.depth, options.colour, ignored))
+    throw CLI::ValidationError("--rgb", "is the file of --depth; give the colour image, or leave --rgb out");
   if (!inputs.empty() && !options.depth.empty())
     throw CLI::ValidationError("--depth", "already gives the frame; remove the other inputs");
 }

@@ -164,8 +164,10 @@ std::string format_of(const Options& options) {
                     extension + "; change the name, or add --format ply to keep it");
 }
 
-int export_surfaces(const Options& options) {
+int export_surfaces(Options options) {
   const std::string format = format_of(options);
+  std::error_code ignored;
+  if (fs::is_directory(options.result, ignored)) options.result /= "result.json";
   require_not_read("--output", options.output, {options.result});
   const StoredResult result = read_result(options.result);
   if (!result.warning.empty()) std::cerr << "gestalt: warning: " << result.warning << '\n';
@@ -189,7 +191,7 @@ void add_export(CLI::App& app, Run& run) {
   const auto options = std::make_shared<Options>();
   CLI::App* command =
       app.add_subcommand("export", "Write the surfaces of a result as a mesh; print their size and error");
-  command->add_option("RESULT", options->result, "result.json of a scene")->required();
+  command->add_option("RESULT", options->result, "result.json of a scene, or the folder with it")->required();
   command->add_option("--output", options->output, "Mesh file to write")->required()->type_name("FILE");
   command
       ->add_option("--format", options->format, "Format of the mesh (default: by the extension of --output, else ply)")

@@ -23,6 +23,7 @@
 #include "gestalt/core/base/output_file.h"
 #include "gestalt/core/pipeline/learning_set.h"
 #include "gestalt/io/result/result_digests.h"
+#include "gestalt/io/result/result_file.h"
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/scene_format.h"
 #include "gestalt/io/scene/scene_path.h"
@@ -138,7 +139,8 @@ Description describe_model(const nlohmann::json& model) {
   return description;
 }
 
-Description describe_result(const fs::path& file, const nlohmann::json& result) {
+Description describe_result(const fs::path& file) {
+  const nlohmann::json result = read_result_content(file);
   Description description{{"kind", "result of gestalt segment"}};
   for (const char* list : {"segments", "patches", "pairs"}) description[list] = result.at(list).size();
   for (const char* fact : {"scene", "camera", "milliseconds", "gestalt", "build"}) description[fact] = result.at(fact);
@@ -169,7 +171,7 @@ Description describe_json(const fs::path& file) try {
   const nlohmann::json content = read_json(file);
   const std::string format = content.is_object() ? content.value("format", "") : "";
   if (format == "gestalt-model") return describe_model(content);
-  if (format == "gestalt-result") return describe_result(file, content);
+  if (format == "gestalt-result") return describe_result(file);
   return describe_camera_file(file);
 } catch (const nlohmann::json::exception& error) {
   const std::string what = error.what();  // [json.exception.KIND.NUMBER] WHAT
@@ -229,6 +231,12 @@ void print(const Description& description, const std::string& indent) {
   }
 }
 
+/// The name of a picture that is written as PNG. Returns what is wrong with it, as CLI11 wants.
+std::string png_name(const std::string& file) {
+  if (lower_extension(file) == ".png") return "";
+  return file + ": the picture is written as PNG; give a name that ends in .png";
+}
+
 void add_info(CLI::App& app, Run& run) {
   struct Arguments {
     std::vector<fs::path> files;
@@ -247,7 +255,8 @@ void add_info(CLI::App& app, Run& run) {
   command
       ->add_option("--picture", arguments->picture,
                    "Draw the input as a PNG file: colour beside colour-mapped depth (first frame of a recording)")
-      ->type_name("FILE");
+      ->type_name("FILE")
+      ->check(png_name);
   command->add_flag("--json", arguments->json, "Print JSON");
   command->footer("Example: gestalt info examples/demo_scene");
   command->callback([arguments, &run] {

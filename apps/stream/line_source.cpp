@@ -56,6 +56,17 @@ void LineSource::read() {
   }
 }
 
+fs::path LineSource::path_of(const std::string& line) const {
+  constexpr std::string_view byte_order_mark = "\xEF\xBB\xBF";
+  fs::path path = folder_ / line;
+  std::error_code ignored;
+  if (fs::exists(path, ignored)) return path;
+  std::string_view bare = line;
+  if (lines_ == 1 && bare.starts_with(byte_order_mark)) bare.remove_prefix(byte_order_mark.size());
+  if (bare.ends_with('\r')) bare.remove_suffix(1);
+  return folder_ / bare;
+}
+
 void LineSource::split(std::vector<fs::path>& paths, std::size_t at_most) {
   std::size_t begin = 0;
   for (std::size_t end; paths.size() < at_most && (end = unread_.find('\n', begin)) != unread_.npos; begin = end + 1) {
@@ -63,7 +74,7 @@ void LineSource::split(std::vector<fs::path>& paths, std::size_t at_most) {
     if (unread_.substr(begin, end - begin).find('\0') != unread_.npos)
       throw InputError(name_ + ":" + std::to_string(lines_) +
                        ": contains a NUL character, which no path can; give text with one path a line");
-    if (end > begin) paths.push_back(folder_ / unread_.substr(begin, end - begin));
+    if (end > begin) paths.push_back(path_of(unread_.substr(begin, end - begin)));
   }
   unread_.erase(0, begin);
   if (paths.size() < at_most && unread_.size() > PATH_MAX)

@@ -8,7 +8,8 @@
 
 namespace gestalt::app {
 
-/// Paths from a file or pipe, one a line; empty lines are left out. Reads only as far ahead as one block of a file.
+/// Paths from a file or pipe, one a line; empty lines are left out. The byte order mark and the carriage returns of a
+/// list from Windows are dropped where nothing has a name with them. Reads only as far ahead as one block of a file.
 class LineSource : public FrameSource {
  public:
   /// file: a descriptor, closed at the end. name: for errors. folder: where relative paths begin.
@@ -21,6 +22,7 @@ class LineSource : public FrameSource {
   std::optional<std::vector<std::filesystem::path>> next(std::size_t at_most) override;
 
  private:
+  std::filesystem::path path_of(const std::string& line) const;
   bool readable(std::chrono::milliseconds wait) const;
   void read();
   void split(std::vector<std::filesystem::path>& paths, std::size_t at_most);

@@ -114,7 +114,9 @@ std::string point_labels(const Input& input, const cv::Mat_<std::uint16_t>& labe
 
 /// From which another program, started elsewhere, finds the input again; "" of one made in memory.
 std::string absolute_path(const std::filesystem::path& path) {
-  return path.empty() ? "" : std::filesystem::absolute(path).lexically_normal().string();
+  std::error_code no_current_folder;
+  const std::filesystem::path whole = std::filesystem::absolute(path, no_current_folder);
+  return (path.empty() || no_current_folder ? path : whole.lexically_normal()).string();
 }
 
 Json noise_json(const DepthNoise& noise) {

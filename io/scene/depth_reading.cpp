@@ -8,6 +8,7 @@
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/io/scene/depth_plausibility.h"
+#include "scene_camera.h"
 
 namespace gestalt {
 
@@ -55,6 +56,7 @@ void set_frame(Input& input, const std::string& name, const cv::Mat& colour, Dep
                      ": its depth is not 16-bit whole numbers, whose bits could be rotated; leave out "
                      "--depth-kind rotated");
   if (depth.whole_numbers) drop_largest(depth);
+  question_pixels(name, camera, input.warnings);
   question_depth(name, depth, camera, input.warnings);
   if (depth.kind == DepthKind::radial) make_axial(depth.metres, camera);
   input.depth_unit = text(depth.unit);

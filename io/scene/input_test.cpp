@@ -142,6 +142,14 @@ TEST_F(SceneFolder, PrefersTheGivenCamera) {
   EXPECT_DOUBLE_EQ(read_scene(scene(), Camera{4, 3, 11, 20, 2, 1}).frame.camera.fx, 11);
 }
 
+TEST_F(SceneFolder, WarnsOfPixelsThatNoSensorHas) {
+  EXPECT_TRUE(read_scene(scene()).warnings.empty());
+  folder_.write("s/camera.yaml", "width: 4\nheight: 3\nfx: 500\nfy: 50\ncx: 1.5\ncy: 1\n");
+  const std::vector<std::string> warnings = read_scene(scene()).warnings;
+  ASSERT_EQ(warnings.size(), 1u);
+  expect_parts(warnings[0], {"s: ", "fx 500 and fy 50", "10 times as high as wide", "check both"});
+}
+
 TEST_F(SceneFolder, MayBeOnePixel) {
   folder_.write("s/depth.png", png(cv::Mat(1, 1, CV_16UC1, cv::Scalar(500))));
   folder_.write("s/camera.yaml", "width: 1\nheight: 1\nfx: 525\nfy: 525\ncx: 0\ncy: 0\n");

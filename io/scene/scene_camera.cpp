@@ -67,6 +67,15 @@ Camera camera_for(const CameraFile& file, cv::Size size, const fs::path& image, 
   return scaled(camera, size);
 }
 
+void question_pixels(const std::string& name, const Camera& camera, std::vector<std::string>& warnings) {
+  constexpr double longest = 1.5;  // of a pixel's sides; an image stretched from 4:3 to 16:9 has 1.33
+  const double ratio = camera.fx / camera.fy;
+  if (ratio <= longest && ratio >= 1 / longest) return;
+  warnings.push_back(name + ": focal lengths fx " + plain(camera.fx) + " and fy " + plain(camera.fy) +
+                     " make each pixel " + plain(std::max(ratio, 1 / ratio)) + " times as " +
+                     (ratio > 1 ? "high as wide" : "wide as high") + "; check both in the camera file");
+}
+
 std::optional<CameraFile> choose_camera(const fs::path& scene, const std::optional<CameraFile>& given) {
   if (given) return given;
   const auto file = find_camera_file(scene);

@@ -5,6 +5,7 @@
 #include <opencv2/core.hpp>
 #include <optional>
 #include <string>
+#include <vector>
 
 #include "gestalt/io/scene/input.h"
 
@@ -25,5 +26,9 @@ std::string text(cv::Size size);
 /// aspect. What was done, and what was guessed when its file was read, is among the input's notes and warnings. Throws
 /// InputError for another aspect, and for a principal point outside the image.
 Camera camera_for(const CameraFile& camera, cv::Size size, const std::filesystem::path& image, Input& input);
+
+/// Adds a warning where pixels are more than half as high again as wide, or as wide as high: no sensor has such. name:
+/// of the input.
+void question_pixels(const std::string& name, const Camera& camera, std::vector<std::string>& warnings);
 
 }  // namespace gestalt

@@ -123,6 +123,7 @@ class Segmenter:
     @property
     def config(self) -> dict[str, Any]: ...
 
+def require_new_name(kind: str, name: str) -> None: ...
 def read_scene(
     scene: Path,
     camera: CameraLike | None = None,

@@ -11,7 +11,7 @@ from typing import Any, ClassVar, TypeVar
 import numpy
 from numpy.typing import ArrayLike, NDArray
 
-from ._gestalt import SceneView
+from ._gestalt import SceneView, require_new_name
 
 __all__ = ["Classifier", "Component", "Parameter", "Relation", "Solver", "Value", "register", "registered"]
 
@@ -134,6 +134,7 @@ def register(name: str) -> Callable[[AnyComponent], AnyComponent]:
     def add(cls: AnyComponent) -> AnyComponent:
         if not _is_component(cls):
             raise TypeError(f"{cls!r} is not a class derived from gestalt.Relation, Classifier or Solver")
+        require_new_name(cls.kind, name)
         known = registered.get(name)
         if known and (known.__module__, known.__qualname__) != (cls.__module__, cls.__qualname__):
             raise ValueError(f"'{name}' is registered already, by {known.__module__}.{known.__qualname__}")

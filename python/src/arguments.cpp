@@ -8,6 +8,7 @@
 #include <string_view>
 
 #include "gestalt/core/base/error.h"
+#include "on_object.h"
 
 namespace gestalt::python {
 
@@ -96,7 +97,7 @@ std::vector<std::string> override_texts(const py::object& overrides) {
 }
 
 Camera camera_of(const py::object& camera) {
-  if (py::isinstance<Camera>(camera)) return py::cast<Camera>(camera);
+  if (py::detail::make_caster<Self<Camera>> given; given.load(camera, false)) return Self<Camera>(given).object;
   if (py::isinstance<py::dict>(camera)) return camera_of_dictionary(py::reinterpret_borrow<py::dict>(camera));
   throw py::type_error((camera.is_none() ? std::string("camera: is missing") : "camera: got a " + type_name(camera)) +
                        "; " + wanted_camera);
@@ -121,18 +122,23 @@ void bind_camera(py::module_& module) {
              return Camera{width, height, fx, fy, cx, cy};
            }),
            py::arg("width"), py::arg("height"), py::arg("fx"), py::arg("fy"), py::arg("cx"), py::arg("cy"))
-      .def_readonly("width", &Camera::width)
-      .def_readonly("height", &Camera::height)
-      .def_readonly("fx", &Camera::fx)
-      .def_readonly("fy", &Camera::fy)
-      .def_readonly("cx", &Camera::cx)
-      .def_readonly("cy", &Camera::cy)
-      .def(py::pickle([](const Camera& c) { return py::make_tuple(c.width, c.height, c.fx, c.fy, c.cx, c.cy); },
-                      [](const py::tuple& t) {
-                        return Camera{t[0].cast<int>(),    t[1].cast<int>(),    t[2].cast<double>(),
-                                      t[3].cast<double>(), t[4].cast<double>(), t[5].cast<double>()};
-                      }))
-      .def("__repr__", [](const Camera& c) {
+      .def_property_readonly("width", on_object(&Camera::width))
+      .def_property_readonly("height", on_object(&Camera::height))
+      .def_property_readonly("fx", on_object(&Camera::fx))
+      .def_property_readonly("fy", on_object(&Camera::fy))
+      .def_property_readonly("cx", on_object(&Camera::cx))
+      .def_property_readonly("cy", on_object(&Camera::cy))
+      .def(py::pickle(
+          [](Self<Camera> self) {
+            const Camera& c = self.object;
+            return py::make_tuple(c.width, c.height, c.fx, c.fy, c.cx, c.cy);
+          },
+          [](const py::tuple& t) {
+            return Camera{t[0].cast<int>(),    t[1].cast<int>(),    t[2].cast<double>(),
+                          t[3].cast<double>(), t[4].cast<double>(), t[5].cast<double>()};
+          }))
+      .def("__repr__", [](Self<Camera> self) {
+        const Camera& c = self.object;
         return py::str("gestalt.Camera(width={}, height={}, fx={}, fy={}, cx={}, cy={})")
             .format(c.width, c.height, c.fx, c.fy, c.cx, c.cy);
       });

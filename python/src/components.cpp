@@ -14,6 +14,7 @@
 #include "arrays.h"
 #include "core_call.h"
 #include "gestalt/core/base/error.h"
+#include "on_object.h"
 
 namespace gestalt::python {
 
@@ -366,6 +367,13 @@ void add_component(Registry& registry, const std::string& name, const py::object
   return add<Solver, PythonSolver>(registry, name, type);
 }
 
+void require_new_name(const std::string& kind, const std::string& name) {
+  const Registry registry(plugin_search_path({}));
+  if (const ComponentInfo* const other = registry.find(kind, name))
+    throw py::value_error("'" + name + "' is already the name of a " + kind + ", in " + other->library.string() +
+                          "; choose another name");
+}
+
 py::dict registered(const py::object& components) {
   return components.is_none() ? py::module_::import("gestalt.components").attr("registered") : components;
 }
@@ -374,21 +382,26 @@ void bind_scene_view(py::module_& module) {
   py::class_<SceneView, std::shared_ptr<SceneView>>(module, "SceneView", R"(What a relation sees of a frame.
 
 Images are read-only views that may be kept. What is asked of the patches must be asked within bind().)")
-      .def_property_readonly("colour", &SceneView::colour,
+      .def_property_readonly("colour", on_object(&SceneView::colour),
                              "(height, width, 3) uint8, red green blue; None without colour.")
-      .def_property_readonly("depth", &SceneView::depth, "(height, width) float32, metres; 0 where there is none.")
-      .def_property_readonly("points", &SceneView::points, "(height, width, 3) float32, metres in the camera frame.")
-      .def_property_readonly("normals", &SceneView::normals,
+      .def_property_readonly("depth", on_object(&SceneView::depth),
+                             "(height, width) float32, metres; 0 where there is none.")
+      .def_property_readonly("points", on_object(&SceneView::points),
+                             "(height, width, 3) float32, metres in the camera frame.")
+      .def_property_readonly("normals", on_object(&SceneView::normals),
                              "(height, width, 3) float32, unit, towards the camera; 0 where there is none.")
-      .def_property_readonly("labels", &SceneView::labels,
+      .def_property_readonly("labels", on_object(&SceneView::labels),
                              "(height, width) int32: 0 in no patch, else 1 + the patch's number.")
-      .def_property_readonly("camera", &SceneView::camera)
-      .def_property_readonly("count", &SceneView::count, "Number of patches.")
-      .def_property_readonly("sizes", &SceneView::sizes, "(count,) pixels of each patch.")
-      .def_property_readonly("neighbours", &SceneView::neighbours, "(n, 2) patches that touch in the image, a < b.")
-      .def("border", &SceneView::border, py::arg("a"), py::arg("b"), py::arg("close") = true,
+      .def_property_readonly("camera", on_object(&SceneView::camera))
+      .def_property_readonly("count", on_object(&SceneView::count), "Number of patches.")
+      .def_property_readonly("sizes", on_object(&SceneView::sizes), "(count,) pixels of each patch.")
+      .def_property_readonly("neighbours", on_object(&SceneView::neighbours),
+                             "(n, 2) patches that touch in the image, a < b.")
+      .def("border", on_object(&SceneView::border), py::arg("a"), py::arg("b"), py::arg("close") = true,
            R"((n, 2) flat pixel indices of patch a and patch b that touch; close: only those near in depth.)")
-      .def("surface", &SceneView::surface, py::arg("patch"), "The patch's surface as result.json has it.");
+      .def("surface", on_object(&SceneView::surface), py::arg("patch"), "The patch's surface as result.json has it.");
+  module.def("require_new_name", &require_new_name, py::arg("kind"), py::arg("name"),
+             "Raises ValueError if an installed component has that kind and name.");
 }
 
 }  // namespace gestalt::python

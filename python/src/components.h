@@ -15,6 +15,9 @@ void add_component(Registry& registry, const std::string& name, const pybind11::
 /// The components to use: those given, or for None all that the program registered.
 pybind11::dict registered(const pybind11::object& components);
 
+/// Throws ValueError if a plugin that needs no config to be found has a component of that kind and name.
+void require_new_name(const std::string& kind, const std::string& name);
+
 /// The class gestalt.SceneView, what a relation sees of a frame.
 void bind_scene_view(pybind11::module_& module);
 

@@ -31,6 +31,7 @@
 #include "gestalt/io/scene/input.h"
 #include "gestalt/io/scene/reading_names.h"
 #include "gestalt/io/scene/scene_names.h"
+#include "on_object.h"
 #include "text.h"
 #include "wording.h"
 
@@ -129,6 +130,8 @@ class Result {
   }
 
   void save(const fs::path& folder, const std::optional<std::string>& name) const {
+    if (name && (name->empty() || *name == "."))
+      throw OutputError("name: '" + *name + "' is not a name of a folder; leave it out to write to the folder itself");
     const OutputPath place = name ? OutputPath(folder) / *name : OutputPath(folder);
     source_->arena.run([&] { write_result(place, input_, found_, source_->config); });
   }
@@ -355,38 +358,38 @@ void bind_segmenter(py::module_& module) {
       module, "Result",
       "The result of a frame. Patches are numbered from 0, segments by their labels. A pickled result becomes a "
       "gestalt.StoredResult with the same attributes.")
-      .def_property_readonly("name", &Result::name, "The name of the frame.")
-      .def_property_readonly("labels", &Result::labels,
+      .def_property_readonly("name", on_object(&Result::name), "The name of the frame.")
+      .def_property_readonly("labels", on_object(&Result::labels),
                              "(height, width) uint16: the segment of each pixel, background included; 0 in none.")
-      .def_property_readonly("object_labels", &Result::objects_image,
+      .def_property_readonly("object_labels", on_object(&Result::objects_image),
                              "(height, width) uint16: labels with the background at 0.")
-      .def_property_readonly("patch_labels", &Result::patch_labels,
+      .def_property_readonly("patch_labels", on_object(&Result::patch_labels),
                              "(height, width) int32: 1 + the number of each pixel's patch; 0 in none.")
-      .def_property_readonly("normals", &Result::normals,
+      .def_property_readonly("normals", on_object(&Result::normals),
                              "(height, width, 3) float32, unit, towards the camera; 0 where there is none.")
-      .def_property_readonly("points", &Result::points,
+      .def_property_readonly("points", on_object(&Result::points),
                              "(height, width, 3) float32, metres in the camera frame (x right, y down, z forward); "
                              "(0, 0, 0) where there is no depth.")
-      .def_property_readonly("segments", py::cpp_function(&Result::segments, Computing()),
+      .def_property_readonly("segments", py::cpp_function(on_object(&Result::segments), Computing()),
                              "Label, role, pixels and patches of each segment, as in result.json, largest first.")
-      .def_property_readonly("objects", py::cpp_function(&Result::objects, Computing()),
+      .def_property_readonly("objects", py::cpp_function(on_object(&Result::objects), Computing()),
                              "The segments that are objects.")
-      .def_property_readonly("patches", py::cpp_function(&Result::patches, Computing()),
+      .def_property_readonly("patches", py::cpp_function(on_object(&Result::patches), Computing()),
                              "Pixels and parametric surface of each patch, as in result.json.")
       .def_property_readonly(
-          "structural", [](const Result& result) { return result.pairs(Level::structural); },
+          "structural", [](Self<Result> self) { return self.object.pairs(Level::structural); },
           R"(Pairs of neighbouring patches, a dictionary. names: the k relation values; pairs: (n, 2) patches; values: (n, k);
 probabilities: (n,) that both patches belong to one object, NaN where not classified.)")
       .def_property_readonly(
-          "assembly", [](const Result& result) { return result.pairs(Level::assembly); },
+          "assembly", [](Self<Result> self) { return self.object.pairs(Level::assembly); },
           "The same for pairs that are not neighbours; no rows if the config has no assembly level.")
-      .def_property_readonly("milliseconds", &Result::milliseconds, "Time spent in each level.")
-      .def("to_dict", &Result::dictionary, Computing(), "The content of result.json.")
-      .def("save", &Result::save, Computing(), py::arg("folder"), py::arg("name") = py::none(),
+      .def_property_readonly("milliseconds", on_object(&Result::milliseconds), "Time spent in each level.")
+      .def("to_dict", on_object(&Result::dictionary), Computing(), "The content of result.json.")
+      .def("save", on_object(&Result::save), Computing(), py::arg("folder"), py::arg("name") = py::none(),
            "Writes labels.png, objects.png, overlay.png, patches.png and result.json, all or none.\n\n"
            "name: a folder below it to write to instead. The name may be untrusted: no link is followed there.")
-      .def("__reduce__", &Result::reduced, Computing())
-      .def("__repr__", &Result::text);
+      .def("__reduce__", on_object(&Result::reduced), Computing())
+      .def("__repr__", on_object(&Result::text));
 
   py::class_<PySegmenter>(module, "Segmenter", R"(The segmenter, ready to run; may be used from many threads.
 
@@ -404,7 +407,7 @@ Raises ConfigError, PluginError, ModelError. Warns when the model was trained wi
            }),
            py::arg("config") = py::none(), py::arg("overrides") = py::tuple(), py::kw_only(), Computing(),
            py::arg("components") = py::none(), py::arg("threads") = 0)
-      .def("__call__", &PySegmenter::call, Computing(), py::arg("colour"), py::arg("depth") = py::none(),
+      .def("__call__", on_object(&PySegmenter::call), Computing(), py::arg("colour"), py::arg("depth") = py::none(),
            py::arg("camera") = py::none(), py::arg("name") = "frame", py::kw_only(),
            py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(), R"(Segments a frame.
 
@@ -418,12 +421,13 @@ camera: a gestalt.Camera, or a dictionary with width, height, fx, fy, cx and cy,
 
 The interpreter lock is released during the call. Raises InputError if the images and the camera do not match,
 PluginError if a component fails.)")
-      .def("segment", &PySegmenter::read, Computing(), py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
-           py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(), py::arg("labels") = py::none(),
+      .def("segment", on_object(&PySegmenter::read), Computing(), py::arg("scene"), py::arg("camera") = py::none(),
+           py::kw_only(), py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(),
+           py::arg("labels") = py::none(),
            "Segments a scene folder or a cloud, as `gestalt segment` does; camera replaces the scene's, depth_scale "
            "(metres per unit) its unit; depth_kind and labels are as --depth-kind and --labels.")
       .def(
-          "evaluate", &PySegmenter::evaluate, Computing(), py::arg("scenes"), py::kw_only(),
+          "evaluate", on_object(&PySegmenter::evaluate), Computing(), py::arg("scenes"), py::kw_only(),
           py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(), py::arg("labels") = py::none(),
           R"(Scores of scenes with ground truth by category (of several sets SET/CATEGORY), their "mean", and of "all", as
 `gestalt evaluate --json` prints them.
@@ -432,8 +436,8 @@ labels: the meaning of ground truth, "osd", "objects" or "colours"; None: inferr
 
 Warns about improbable input. Also raises InputError if no scene has an object, and for a scene without colour among
 scenes with colour.)")
-      .def_property_readonly("config", &PySegmenter::config, "The resolved config as a dictionary.")
-      .def("__repr__", &PySegmenter::text);
+      .def_property_readonly("config", on_object(&PySegmenter::config), "The resolved config as a dictionary.")
+      .def("__repr__", on_object(&PySegmenter::text));
 
   module.def("read_scene", &read, Computing(), py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
              py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(), py::arg("labels") = py::none());

@@ -161,6 +161,9 @@ class ComponentsTest(unittest.TestCase):
     def test_a_name_that_is_taken_is_refused(self):
         with self.assertRaisesRegex(gestalt.PluginError, "threshold"):
             gestalt.Segmenter(components={"threshold": Threshold})
+        with self.assertRaisesRegex(ValueError, "'threshold' is already the name of a solver.*choose another"):
+            gestalt.register("threshold")(Threshold)
+        gestalt.Segmenter()
 
     def fails(self, text, components, overrides, error=gestalt.PluginError):
         """The frame fails with the component's name and this text, and the next one of others is as ever."""

@@ -91,6 +91,17 @@ class HabitsTest(unittest.TestCase):
                 self.segmenter(*arguments)
             self.assertLess(len(str(caught.exception)), 300)
 
+    def test_an_object_that_was_never_initialised_is_a_type_error(self):
+        for cls in (gestalt.Result, gestalt.Segmenter, gestalt.SceneView, gestalt.Camera):
+            empty = cls.__new__(cls)
+            own = {name for name in vars(cls) if name not in ("__init__", "__module__", "__doc__", "__signature__")}
+            for name in sorted(own):
+                with self.subTest(cls=cls.__name__, name=name), self.assertRaises(TypeError):
+                    value = getattr(empty, name)
+                    value() if callable(value) else self.fail(f"{name} is {value!r}")
+        with self.assertRaises(TypeError):
+            self.segmenter(self.scene.colour, self.scene.depth, gestalt.Camera.__new__(gestalt.Camera))
+
     def test_signatures_can_be_read(self):
         self.assertEqual(
             str(inspect.signature(gestalt.Segmenter)),

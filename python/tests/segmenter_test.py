@@ -114,9 +114,12 @@ class PipelineTest(unittest.TestCase):
         text = """
         import os, sys, gestalt
         segmenter = gestalt.Segmenter()
+        scene = gestalt.read_scene(sys.argv[1])
+        of_arrays = segmenter(scene.colour, scene.depth, scene.camera)
         os.mkdir("gone"); os.chdir("gone"); os.rmdir("../gone")
         print(len(segmenter.segment(sys.argv[1]).to_dict()["segments"]) > 0)
         for call in (lambda: segmenter.segment("here"), lambda: segmenter.segment(sys.argv[1]).save("here"),
+                     lambda: of_arrays.save("here"),
                      lambda: gestalt.Segmenter("mine.yaml"), lambda: gestalt.train("here", "model.json")):
             try:
                 call()
@@ -127,7 +130,7 @@ class PipelineTest(unittest.TestCase):
             told = subprocess.run(
                 [sys.executable, "-c", textwrap.dedent(text), demo], cwd=work, check=True, stdout=subprocess.PIPE, text=True
             )
-        self.assertEqual(told.stdout, 5 * "True\n")
+        self.assertEqual(told.stdout, 6 * "True\n")
 
     def test_wrong_arguments_are_errors_of_ours(self):
         with self.assertRaisesRegex(gestalt.InputError, r"colour: .* shape \(0, 0, 3\)"):
@@ -158,6 +161,9 @@ class PipelineTest(unittest.TestCase):
                 self.result.save(root, str(elsewhere))
             with self.assertRaisesRegex(gestalt.OutputError, "NUL character"):
                 self.result.save(root, "frame\0")
+            for name in ("", "."):
+                with self.assertRaisesRegex(gestalt.OutputError, "is not a name of a folder"):
+                    self.result.save(root, name)
             self.assertEqual(list(elsewhere.iterdir()), [])
             self.result.save(root, "frame")
             self.assertTrue((root / "frame" / "result.json").exists())

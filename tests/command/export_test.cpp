@@ -97,6 +97,13 @@ TEST_F(Export, WritesObjectsWithoutTheBackground) {
   EXPECT_EQ(labels({"--format", "json", "--all"}), all);
 }
 
+TEST_F(Export, AFolderStandsForItsResult) {
+  expect_success(run(stored_result()));
+  const std::string of_file = content(mesh);
+  expect_success(run_gestalt({"export", folder.path(), "--output", mesh}));
+  EXPECT_EQ(content(mesh), of_file);
+}
+
 TEST_F(Export, ASegmentWithoutARoleIsAnObject) {
   json result = json::parse(stored_result());
   for (json& segment : result.at("segments")) segment.erase("role");
@@ -221,7 +228,7 @@ TEST_F(Export, RefusesWhatIsNoResult) {
   expect_refused(run("[1, 2]"), 3, {"result.json", "gestalt-result"});
   expect_refused(run("{\"format\": \"gestalt-result\", \"version\": 1e999}"), 3, {"result.json"});
   expect_refused(run_gestalt({"export", folder.path() / "none.json", "--output", mesh}), 3, {"none.json", "not exist"});
-  expect_refused(run_gestalt({"export", folder.path(), "--output", mesh}), 3, {"folder"});
+  expect_refused(run_gestalt({"export", folder.path(), "--output", mesh}), 3, {"result.json:"});
   EXPECT_FALSE(fs::exists(mesh));
 }
 

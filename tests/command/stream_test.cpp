@@ -131,6 +131,12 @@ TEST_F(StreamCommand, PathsInAFileBeginAtItsFolder) {
   expect_frames(stream({list}, {.folder = "/"}), {all_names[1]}, 0);
 }
 
+TEST_F(StreamCommand, AListFromWindowsNamesTheSameScenes) {
+  std::string lines = "\xEF\xBB\xBF";
+  for (const char c : paths({0, 1})) lines += c == '\n' ? "\r\n" : std::string(1, c);
+  expect_frames(stream({folder.write("list.txt", lines)}), {all_names[0], all_names[1]}, 0);
+}
+
 TEST_F(StreamCommand, AFrameThatFailsDoesNotEndTheStream) {
   const fs::path list = folder.write("list.txt", paths({0}) + "missing_scene\n" + paths({1}));
   const Outcome outcome = stream({list});

@@ -356,6 +356,28 @@ TEST(Usage, WhatIsNoNumberOfTheRangeIsRefused) {
   }
 }
 
+TEST(Usage, OneFileIsNotDepthAndColour) {
+  const fs::path depth = synthetic_scene() / "depth.png";
+  const Outcome outcome = run_gestalt({"info", "--depth", depth, "--rgb", depth});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(occurrences("--rgb: is the file of --depth", outcome.err), 1) << outcome.err;
+}
+
+TEST(Info, APictureOfAnotherFormatIsRefused) {
+  const TemporaryFolder folder;
+  const fs::path picture = folder.path() / "x.jpg";
+  const Outcome outcome = run_gestalt({"info", synthetic_scene(), "--picture", picture});
+  EXPECT_EQ(outcome.code, 2);
+  EXPECT_EQ(occurrences("ends in .png", outcome.err), 1) << outcome.err;
+  EXPECT_FALSE(fs::exists(picture));
+}
+
+TEST(Info, AResultOfAnotherVersionIsRefused) {
+  const TemporaryFolder folder;
+  const fs::path file = folder.write("r.json", R"({"format": "gestalt-result", "version": 3, "segments": []})");
+  expect_refused(run_gestalt({"info", file}), 3, {"r.json", "another version", "gestalt segment"});
+}
+
 TEST(Usage, AFileThatIsReadIsNotReplaced) {
   const TemporaryFolder folder;
   const fs::path scene = folder.path() / "scene";
