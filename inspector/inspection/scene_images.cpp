@@ -7,6 +7,7 @@
 
 #include <algorithm>
 #include <cmath>
+#include <opencv2/imgproc.hpp>
 
 #include "gestalt/core/base/output_file.h"
 #include "gestalt/core/pipeline/learning_set.h"
@@ -93,6 +94,33 @@ cv::Mat normals_of(const Frame& frame, const SurfaceSet& surfaces, int step) {
   return image;
 }
 
+/// 1 at an edge of the colour image, as the relation texture_quantity counts them by default; 2 where a patch was cut
+/// along one; else 0. A pixel of the thinned image has the largest of those that it stands for.
+cv::Mat_<int> image_edges(const cv::Mat& colour, const PatchMap& patches, int step) {
+  cv::Mat grey, edges;
+  cv::cvtColor(colour, grey, cv::COLOR_BGR2GRAY);
+  cv::blur(grey, grey, {3, 3});
+  cv::Canny(grey, edges, 5, 140);
+  cv::Mat_<int> numbers((colour.rows + step - 1) / step, (colour.cols + step - 1) / step, 0);
+  const auto raise = [&](int v, int u, int number) {
+    int& there = numbers(v / step, u / step);
+    there = std::max(there, number);
+  };
+  const auto is_cut = [&](int a, int b) {
+    if (a == b || a == 0 || b == 0 || patches.cut_from.empty()) return false;
+    return patches.cut_from[std::size_t(a - 1)] == patches.cut_from[std::size_t(b - 1)];
+  };
+  const cv::Mat_<int>& labels = patches.labels;
+  for (int v = 0; v < colour.rows; ++v)
+    for (int u = 0; u < colour.cols; ++u) {
+      if (edges.at<std::uint8_t>(v, u)) raise(v, u, 1);
+      if ((u + 1 < colour.cols && is_cut(labels(v, u), labels(v, u + 1))) ||
+          (v + 1 < colour.rows && is_cut(labels(v, u), labels(v + 1, u))))
+        raise(v, u, 2);
+    }
+  return numbers;
+}
+
 }  // namespace
 
 json scene_images(const Input& input, const Percept& percept) {
@@ -100,13 +128,15 @@ json scene_images(const Input& input, const Percept& percept) {
   const int step = int(std::ceil(std::sqrt(double(frame.depth.total()) / most_pixels)));
   const double unit = depth_unit(frame.depth);
   const auto numbers = [&](const cv::Mat_<int>& image) { return uri_of_numbers(thinned(image, step)); };
-  return {{"step", step},
-          {"colour", frame.has_colour() ? json(uri(thinned(frame.colour, step))) : json()},
-          {"depth", numbers(in_units(frame.depth, unit))},
-          {"depth_unit", unit},
-          {"patches", numbers(percept.surfaces().labels)},
-          {"normals", uri(normals_of(frame, percept.surfaces(), step))},
-          {"truth", input.ground_truth.empty() ? json() : json(numbers(objects_of(input.ground_truth)))}};
+  return {
+      {"step", step},
+      {"colour", frame.has_colour() ? json(uri(thinned(frame.colour, step))) : json()},
+      {"depth", numbers(in_units(frame.depth, unit))},
+      {"depth_unit", unit},
+      {"patches", numbers(percept.surfaces().labels)},
+      {"normals", uri(normals_of(frame, percept.surfaces(), step))},
+      {"edges", frame.has_colour() ? json(uri_of_numbers(image_edges(frame.colour, percept.patches(), step))) : json()},
+      {"truth", input.ground_truth.empty() ? json() : json(numbers(objects_of(input.ground_truth)))}};
 }
 
 }  // namespace gestalt

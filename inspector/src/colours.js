@@ -43,4 +43,9 @@ export const line_colours = {
 export const closure_colour = [225, 90, 220];
 
 /// Of edges: same object, not, and what ground truth contradicts.
+/// An edge of the colour image, and a cut along one.
+export const image_edge_colours = [
+  [255, 220, 90],
+  [255, 60, 200],
+];
 export const edge_colours = { likely: [70, 190, 255], unlikely: [245, 165, 60], wrong: [255, 62, 72] };

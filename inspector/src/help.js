@@ -11,7 +11,7 @@ const sections = {
     ["double click", "fit the scene into the view"],
   ],
   Keys: [
-    ["1 – 9", "show or hide a layer; with Shift only this layer"],
+    ["1 – 9 e", "show or hide a layer; with Shift only this layer"],
     ["↑ ↓", "next edge of the list; in 3D, once it is clicked, orbit"],
     ["[ ]", "next value of the solver's parameter where the cut changes"],
     ["\\", "reset the parameter"],

@@ -1,7 +1,7 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-import { closure_colour, css, depth_colour, edge_colours, line_colours } from "./colours.js";
+import { closure_colour, css, depth_colour, edge_colours, image_edge_colours, line_colours } from "./colours.js";
 import { element } from "./dom.js";
 import { layers } from "./layers.js";
 import { edge_filters } from "./overlay.js";
@@ -34,6 +34,13 @@ const legends = {
     ),
   closures: (scene) =>
     element("ul", { class: "keys" }, key_line(closure_colour, `${scene.closures.length}, the cheapest strongest`)),
+  edges: (scene) =>
+    element(
+      "ul",
+      { class: "keys" },
+      key_line(image_edge_colours[0], "edge of the colour image"),
+      scene.image_edges?.includes(2) ? key_line(image_edge_colours[1], "patches cut along it") : null,
+    ),
   graph: (scene) =>
     element(
       "ul",
@@ -58,7 +65,7 @@ export const make_layer_list = (state, change) => {
   const list = element(
     "ul",
     { class: "layers" },
-    layers.map(({ id, name, text }, i) => {
+    layers.map(({ id, key, name, text }, i) => {
       const box = element("input", {
         type: "checkbox",
         id: `layer-${id}`,
@@ -84,7 +91,7 @@ export const make_layer_list = (state, change) => {
         "li",
         { title: text },
         box,
-        element("label", { for: `layer-${id}` }, element("kbd", { "aria-hidden": "true" }, String(i + 1)), name),
+        element("label", { for: `layer-${id}` }, element("kbd", { "aria-hidden": "true" }, key ?? String(i + 1)), name),
         opacity,
         legend,
         id === "graph" ? filter : null,
@@ -95,7 +102,7 @@ export const make_layer_list = (state, change) => {
     root: element("section", { "aria-label": "Layers" }, element("h2", {}, "Layers"), list),
     open: (scene) => {
       rows.truth.box.disabled = rows.truth.opacity.disabled = !scene.truth;
-      rows.colour.box.disabled = rows.colour.opacity.disabled = !scene.colour;
+      for (const id of ["colour", "edges"]) rows[id].box.disabled = rows[id].opacity.disabled = !scene.colour;
       filter.replaceChildren(
         ...Object.entries(edge_filters)
           .filter(([, one]) => scene.truth || !one.needs_truth)

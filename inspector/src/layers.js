@@ -1,8 +1,8 @@
 // SPDX-FileCopyrightText: 2026 The Gestalt authors
 // SPDX-License-Identifier: BSD-3-Clause
 
-/// The layers in the order in which they lie on each other, which is that of their keys. vector: drawn as lines, over
-/// all images.
+/// The layers in the order in which they lie on each other. Their keys are 1 to 9 in this order, unless one has its own.
+/// vector: drawn as lines, over all images.
 export const layers = [
   { id: "colour", name: "Colour", text: "the camera's image" },
   { id: "depth", name: "Depth", text: "near is light, far is dark" },
@@ -13,6 +13,7 @@ export const layers = [
   { id: "graph", name: "Graph", text: "edges between patches, with p(same object)", vector: true },
   { id: "segments", name: "Segments", text: "how the solver cuts the graph; background is clear" },
   { id: "truth", name: "Ground truth", text: "the labelled objects; background is grey" },
+  { id: "edges", key: "e", name: "Image edges", text: "edges of the colour image, and where patches were cut along them" },
 ];
 
 export const first_layers = () => ({
@@ -27,5 +28,6 @@ export const first_layers = () => ({
     graph: 1,
     segments: 0.5,
     truth: 0.6,
+    edges: 1,
   },
 });

@@ -383,9 +383,8 @@ const open = async (index) => {
 
 // Keys.
 
-const toggle_layer = (number, alone) => {
-  const { id } = layers[number - 1];
-  if (!scene || (id === "truth" && !scene.truth) || (id === "colour" && !scene.colour)) return;
+const toggle_layer = ({ id }, alone) => {
+  if ((id === "truth" && !scene.truth) || (["colour", "edges"].includes(id) && !scene.colour)) return;
   if (alone) state.visible = { [id]: true };
   else state.visible[id] = !state.visible[id];
   draw();
@@ -415,7 +414,8 @@ document.addEventListener("keydown", (event) => {
   const digit = /^Digit([1-9])$/.exec(event.code);
   if (within === "SELECT" || (within === "INPUT" && event.target.type === "range" && event.key.startsWith("Arrow")))
     return;
-  if (digit) toggle_layer(Number(digit[1]), event.shiftKey);
+  const layer = digit ? layers[Number(digit[1]) - 1] : layers.find(({ key }) => key === event.key.toLowerCase());
+  if (layer) toggle_layer(layer, event.shiftKey);
   else if (Object.hasOwn(keys, event.key)) keys[event.key]();
   else return;
   event.preventDefault();

@@ -3,7 +3,7 @@
 
 // The layers that are images: a canvas each, of the size of the thinned images.
 
-import { colour_of, depth_colour, packed } from "./colours.js";
+import { colour_of, depth_colour, image_edge_colours, packed } from "./colours.js";
 
 const grey = [128, 132, 138];
 const outline = packed([16, 18, 20]);
@@ -44,6 +44,9 @@ const paint_truth = (scene, canvas) => {
   paint(canvas, scene.truth, palette);
 };
 
+const paint_image_edges = (scene, canvas) =>
+  paint(canvas, scene.image_edges, Uint32Array.from([0, ...image_edge_colours.map((colour) => packed(colour))]));
+
 /// Paints a cut again; fast, as it follows the slider.
 const paint_segments = (scene, canvas, cut) => {
   const palette = new Uint32Array(scene.patches.length + 1);
@@ -76,6 +79,7 @@ export const make_rasters = (scene) => {
     patches: (canvas) => paint_patches(scene, canvas),
     surfaces: (canvas) => canvas.getContext("2d").drawImage(masked(scene), 0, 0),
     truth: (canvas) => scene.truth && paint_truth(scene, canvas),
+    edges: (canvas) => scene.image_edges && paint_image_edges(scene, canvas),
     segments: () => {},
   };
   let painted_cut = null;

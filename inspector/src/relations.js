@@ -6,6 +6,7 @@
 import { clamp, element } from "./dom.js";
 import { css } from "./colours.js";
 import { edge_colour, is_wrong } from "./overlay.js";
+import { phrase, reasons } from "./reasons.js";
 import { level_name, object_name } from "./scene.js";
 
 export const p_text = (p) => (p < 0.001 ? "< 0.001" : p > 0.999 ? "> 0.999" : p.toFixed(3));
@@ -144,6 +145,7 @@ export const tell_edge = (scene, cut, edge, pin = null) => {
       element("span", { class: "dim" }, joined ? "one segment" : "cut apart"),
     ),
     element("div", { class: `verdict ${kind}` }, text),
+    element("p", { class: "reasons" }, reasons(scene, edge, number_text)),
     values_table(scene, edge),
   ];
 };
@@ -193,6 +195,7 @@ const edge_row = (scene, cut, edge, patch, choose) => {
   const other = edge.a === patch ? edge.b : edge.a,
     { kind, text } = verdict(scene, edge);
   const strongest = edge.contributions.reduce((best, c, i, all) => (Math.abs(c) > Math.abs(all[best]) ? i : best), 0);
+  const { name } = scene.levels[edge.level].values[strongest];
   const content = [
     patch_label(scene, cut, other),
     element("span", { class: "number" }, p_text(edge.p)),
@@ -201,7 +204,7 @@ const edge_row = (scene, cut, edge, patch, choose) => {
     element(
       "span",
       { class: "dim strongest" },
-      `${scene.levels[edge.level].values[strongest].name} ${signed(edge.contributions[strongest])}`,
+      `${phrase(name, edge.values[strongest], name)} ${signed(edge.contributions[strongest])}`,
     ),
   ];
   return choose

@@ -105,12 +105,13 @@ const borders_of = (patch_of, columns) => {
 export const read_scene = async (index) => {
   const data = JSON.parse(document.getElementById(`scene-${index}`).textContent);
   const picture = document.getElementById(`picture-${index}`);
-  const [colour, depth, patch_of, normals, truth] = await Promise.all([
+  const [colour, depth, patch_of, normals, truth, image_edges] = await Promise.all([
     picture && bitmap_of(picture.src),
     numbers_of(data.images.depth),
     numbers_of(data.images.patches),
     bitmap_of(data.images.normals),
     data.images.truth && numbers_of(data.images.truth),
+    data.images.edges && numbers_of(data.images.edges),
   ]);
   const { step, depth_unit } = data.images;
   const scene = {
@@ -123,6 +124,7 @@ export const read_scene = async (index) => {
     patch_of, // 1 + index of the patch, 0: none
     normals,
     truth,
+    image_edges, // 1 edge of the colour image, 2 cut along one, 0 neither; null without colour
     width: data.camera.width,
     height: data.camera.height,
     columns: normals.width,

@@ -10,7 +10,8 @@ import { after, before, test } from "node:test";
 import { launch, open } from "./browser.mjs";
 import { data_of, folder, gestalt, page_of } from "./scenes.mjs";
 
-const layer_ids = ["colour", "depth", "patches", "surfaces", "lines", "closures", "graph", "segments", "truth"];
+const layer_ids = ["colour", "depth", "patches", "surfaces", "lines", "closures", "graph", "segments", "truth", "edges"];
+const layer_key = (i) => (layer_ids[i] === "edges" ? "Shift+KeyE" : `Shift+Digit${i + 1}`);
 let browser, made, scene, page;
 
 before(async () => {
@@ -91,7 +92,7 @@ test("every layer shows something of its own, by mouse and by key", () =>
   on_page(async () => {
     const seen = new Map();
     for (const [i, id] of layer_ids.entries()) {
-      await press(`Shift+Digit${i + 1}`);
+      await press(layer_key(i));
       assert.deepEqual(
         await page.locator(".layers input[type=checkbox]:checked").evaluateAll((boxes) => boxes.map((box) => box.id)),
         [`layer-${id}`],
@@ -100,6 +101,7 @@ test("every layer shows something of its own, by mouse and by key", () =>
       for (const [other, its] of seen) assert(!picture.equals(its), `${id} looks like ${other}`);
       seen.set(id, picture);
     }
+    await press("Shift+Digit9");
     const truth = await stage_of();
     await page.locator("#layer-colour").click();
     assert(!(await is_same(truth)));
@@ -167,6 +169,12 @@ const expect_edge = (text, [a, b, level, p, truth, values, contributions]) => {
   const verdict =
     truth === null ? "ground truth does not say" : p >= 0.5 === (truth === 1) ? "p agrees" : "p disagrees";
   assert(text.includes(verdict), text);
+  const reasons = /^(One object|Two objects): (.*)$/m.exec(text);
+  assert.equal(reasons?.[1], p >= 0.5 ? "One object" : "Two objects", text);
+  for (const [, part] of reasons[2].matchAll(/ ([+−]\d\.\d\d)(?=[,;]|$)/g)) {
+    const told = Number(part.replace("−", "-"));
+    assert(contributions.some((one) => Math.abs(one - told) < 0.006), `${part} is no contribution: ${text}`);
+  }
   const shown = [...text.matchAll(/^(r_\S+)\n([^\t\n]+)\s+(\S+)\s+([+−]?[\d.]+)$/gm)];
   assert.equal(shown.length, values.length, text);
   for (const [, name, relation, value, part] of shown) {
@@ -534,6 +542,7 @@ test("scenes without ground truth or colour are shown too", async () => {
     async () => {
       assert(await page.locator("#layer-truth").isDisabled());
       assert(await page.locator("#layer-colour").isDisabled());
+      assert(await page.locator("#layer-edges").isDisabled());
       assert.match(await text_of(".scene-facts"), /no ground truth/);
       const [a, b] = scenes[0].edges
         .map((edge, i) => [edge, i])
