@@ -173,7 +173,7 @@ const expect_edge = (text, [a, b, level, p, truth, values, contributions]) => {
   assert.equal(reasons?.[1], p >= 0.5 ? "One object" : "Two objects", text);
   for (const [, part] of reasons[2].matchAll(/ ([+−]\d\.\d\d)(?=[,;]|$)/g)) {
     const told = Number(part.replace("−", "-"));
-    assert(contributions.some((one) => Math.abs(one - told) < 0.006), `${part} is no contribution: ${text}`);
+    assert(contributions.some((one) => Math.abs(one - told) < 0.006), `${part} is not a contribution: ${text}`);
   }
   const shown = [...text.matchAll(/^(r_\S+)\n([^\t\n]+)\s+(\S+)\s+([+−]?[\d.]+)$/gm)];
   assert.equal(shown.length, values.length, text);
