@@ -6,8 +6,22 @@
 #include <algorithm>
 #include <cmath>
 #include <opencv2/imgproc.hpp>
+#include <vector>
 
 namespace gestalt {
+
+namespace {
+
+/// An image of 1, 3 or 4 channels as one of 3; unlike cv::cvtColor(), of any type of numbers.
+cv::Mat in_three_channels(const cv::Mat& image) {
+  if (image.channels() == 3) return image;
+  const bool grey = image.channels() == 1;
+  cv::Mat three(image.size(), CV_MAKETYPE(image.depth(), 3));
+  cv::mixChannels(image, three, grey ? std::vector<int>{0, 0, 0, 1, 0, 2} : std::vector<int>{0, 0, 1, 1, 2, 2});
+  return three;
+}
+
+}  // namespace
 
 cv::Mat as_colour(const cv::Mat& image, std::string& problem) {
   const int channels = image.channels();
@@ -15,11 +29,7 @@ cv::Mat as_colour(const cv::Mat& image, std::string& problem) {
     problem = "has " + std::to_string(channels) + " channels; colour has 1, 3 or 4";
     return {};
   }
-  cv::Mat colour;
-  if (channels == 3)
-    colour = image;
-  else
-    cv::cvtColor(image, colour, channels == 1 ? cv::COLOR_GRAY2BGR : cv::COLOR_BGRA2BGR);
+  cv::Mat colour = in_three_channels(image);
   if (colour.depth() == CV_8U) return colour;
 
   const cv::Mat values = colour.reshape(1);
