@@ -118,15 +118,20 @@ Body carton(const Eigen::Vector3d& size, const Palette& palette, Random& random)
   for (const Eigen::Vector2d& face : faces)
     for (int side = 0; side < 2; ++side)
       parts.push_back(bare ? glaze(face.x(), face.y(), palette, random) : print(face.x(), face.y(), palette, random));
-  return made_of(box(size), std::move(parts));
+  Body made = made_of(box(size), std::move(parts));
+  made.shape = ShapeKind::box;
+  return made;
 }
 
 Body random_body(Kind kind, const Palette& palette, Random& random) {
   switch (kind) {
     case Kind::carton:
       return carton(random_carton_size(random), palette, random);
-    case Kind::can:
-      return can(palette, random);
+    case Kind::can: {
+      Body made = can(palette, random);
+      made.shape = ShapeKind::cylinder;
+      return made;
+    }
     case Kind::bowl:
       return hollow_bowl(palette, random);
     case Kind::mug:

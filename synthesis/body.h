@@ -4,6 +4,7 @@
 
 #include <Eigen/Geometry>
 
+#include "gestalt/core/objects/object_description.h"
 #include "mesh.h"
 #include "paint.h"
 #include "random.h"
@@ -18,6 +19,7 @@ struct Body {
   Paint paint;
   Eigen::Vector3d size;                                    ///< extent of the mesh along its axes, metres
   Eigen::Isometry3d pose = Eigen::Isometry3d::Identity();  ///< own frame to world
+  ShapeKind shape = ShapeKind::other;                      ///< of boxes and plain cylinders
 };
 
 /// At the origin, wearing these textures.

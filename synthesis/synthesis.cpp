@@ -28,6 +28,15 @@ bool every_thing_is_seen(const Measurement& measurement, std::size_t things, int
   return std::all_of(pixels.begin() + 1, pixels.end(), [&](int count) { return count >= smallest; });
 }
 
+std::vector<SyntheticObject> objects_of(const Arrangement& arrangement) {
+  std::vector<SyntheticObject> objects;
+  for (const Body& body : arrangement.things) {
+    const Eigen::Isometry3d from_middle(Eigen::Translation3d(0, 0, body.size.z() / 2));
+    objects.push_back({body.shape, body.size, arrangement.viewpoint.pose.inverse() * body.pose * from_middle});
+  }
+  return objects;
+}
+
 /// Throws ConfigError where the name is not among the names.
 std::size_t place_in(const std::vector<std::string>& names, std::string_view name, const std::string& what) {
   const auto found = std::find(names.begin(), names.end(), name);
@@ -110,7 +119,7 @@ SyntheticScene synthesize(Category category, std::uint64_t seed, int index, cons
     cv::Mat_<float> depth;
     measurement.depth.convertTo(depth, CV_32F, 1.0 / 1000);
     return {make_frame(name, measure_colour(view, random), depth, camera),
-            label_parts(measurement.depth, measurement.body), name_of(category)};
+            label_parts(measurement.depth, measurement.body), name_of(category), objects_of(*arrangement)};
   }
   refuse();
   return {};

@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 #pragma once
 
+#include <Eigen/Geometry>
 #include <cstdint>
 #include <filesystem>
 #include <opencv2/core.hpp>
@@ -9,6 +10,7 @@
 #include <string_view>
 #include <vector>
 
+#include "gestalt/core/objects/object_description.h"
 #include "gestalt/core/scene/frame.h"
 
 namespace gestalt {
@@ -50,6 +52,15 @@ const std::vector<std::string>& sensor_model_names();
 /// Throws ConfigError with the nearest name for an unknown one.
 SensorModel sensor_model_of(std::string_view name);
 
+/// A thing as it was laid out.
+struct SyntheticObject {
+  ShapeKind shape = ShapeKind::other;  ///< box, cylinder or other
+  Eigen::Vector3d size =
+      Eigen::Vector3d::Zero();  ///< metres, along the axes of its own frame, z up as it stands by itself
+  Eigen::Isometry3d pose =
+      Eigen::Isometry3d::Identity();  ///< from its frame, whose origin is its middle, to the camera's
+};
+
 /// A sensor's view of things with its ground truth.
 struct SyntheticScene {
   Frame frame;                           ///< depth is whole millimetres; frame.name is <category>_<seed>_<index>,
@@ -57,6 +68,7 @@ struct SyntheticScene {
   cv::Mat_<std::uint16_t> ground_truth;  ///< 0 = no depth; 1-9 = disjoint parts of the background; 20-29 = disjoint
                                          ///< visible parts of the first object, largest first, 30-39 of the second, ...
   std::string category;
+  std::vector<SyntheticObject> objects;  ///< by number: the first has the labels 20-29
 };
 
 /// The intrinsics of a Kinect (f = 525 px at a width of 640), scaled to the width.
@@ -71,8 +83,8 @@ SyntheticScene synthesize(Category category, std::uint64_t seed, int index, cons
 /// Fewest pixels of an object: 300 for a Kinect, in proportion to fx fy otherwise, at least 1.
 int smallest_object(const Camera& camera);
 
-/// Writes rgb.png, depth.png (millimetres) and label.png into folder/<name of the scene>/.
-/// Throws OutputError.
+/// Writes rgb.png, depth.png (millimetres), label.png and objects.json (docs/synthesis.md) into folder/<name of the
+/// scene>/. Throws OutputError.
 void write_scene(const SyntheticScene& scene, const std::filesystem::path& folder);
 
 }  // namespace gestalt

@@ -237,12 +237,38 @@ TEST(Synthesis, CameraIsAKinectOfAnyWidth) {
   EXPECT_EQ(smallest_object(kinect_camera(4, 3)), 1);
 }
 
+TEST(Synthesis, ObjectsAreInTheBoxesThatAreTold) {
+  for (const Category category : {Category::boxes, Category::cylindric_objects, Category::packages}) {
+    const SyntheticScene scene = synthesize(category, 7, 0);
+    std::vector<int> points(scene.objects.size(), 0), inside(scene.objects.size(), 0);
+    for (int pixel = 0; pixel < int(scene.ground_truth.total()); ++pixel) {
+      const int label = scene.ground_truth.ptr<std::uint16_t>()[pixel];
+      if (label < 20 || !scene.frame.valid(pixel)) continue;
+      const auto object = std::size_t(label / 10 - 2);
+      ASSERT_LT(object, scene.objects.size());
+      const SyntheticObject& told = scene.objects[object];
+      const Eigen::Vector3d place = told.pose.inverse() * scene.frame.point(pixel).cast<double>();
+      constexpr double noise = 0.015;  // m
+      ++points[object];
+      inside[object] += (place.cwiseAbs() - told.size / 2).maxCoeff() < noise;
+    }
+    for (std::size_t i = 0; i < points.size(); ++i) {
+      ASSERT_GT(points[i], 0);
+      EXPECT_GT(inside[i], 0.95 * points[i]) << name_of(category) << ", object " << i;
+    }
+    if (category == Category::boxes) {
+      for (const SyntheticObject& told : scene.objects) EXPECT_EQ(told.shape, ShapeKind::box);
+    }
+  }
+}
+
 TEST_F(Written, SceneReadsBackAsItWas) {
   const SyntheticScene scene = synthesize(Category::boxes, 1, 0, kinect_camera(160, 120));
   write_scene(scene, folder_);
   const fs::path place = folder_ / "boxes_1_000";
   EXPECT_TRUE(equal(cv::imread((place / "rgb.png").string()), scene.frame.colour));
   EXPECT_TRUE(equal(cv::imread((place / "label.png").string(), cv::IMREAD_UNCHANGED), scene.ground_truth));
+  EXPECT_TRUE(fs::exists(place / "objects.json"));
   const cv::Mat millimetres = cv::imread((place / "depth.png").string(), cv::IMREAD_UNCHANGED);
   ASSERT_EQ(millimetres.type(), CV_16UC1);
   cv::Mat metres;

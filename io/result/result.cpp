@@ -19,6 +19,7 @@
 #include "gestalt/io/result/result_digests.h"
 #include "gestalt/io/scene/png_codec.h"
 #include "gestalt/io/scene/point_cloud.h"
+#include "object_json.h"
 
 namespace gestalt {
 
@@ -148,6 +149,7 @@ Json result_json(const Input& input, const SegmentedFrame& found, const Json& co
               {"warnings", input.warnings},
               {"notes", input.notes},
               {"segments", segments_json(segmentation)},
+              {"objects", objects_json(found)},
               {"patches", std::move(patches)},
               {"pairs", pairs_json(percept, segmentation.graph)},
               {"milliseconds",

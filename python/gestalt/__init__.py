@@ -33,6 +33,7 @@ from ._gestalt import (
     train,
 )
 from .components import Classifier, Parameter, Relation, Solver, Value, register
+from .objects import Object, OrientedBox
 from .stored import StoredResult
 from .types import CameraLike, DepthKind, LabelScheme, Path
 
@@ -43,6 +44,8 @@ __all__ = [
     "Error",
     "InputError",
     "ModelError",
+    "Object",
+    "OrientedBox",
     "OutputError",
     "Parameter",
     "Segmenter",

@@ -7,6 +7,7 @@ import numpy
 from numpy.typing import NDArray
 
 from .components import Component
+from .objects import Object
 from .types import CameraLike, DepthKind, LabelScheme, Overrides, Pairs, Path, Paths, Scores
 
 __version__: str
@@ -72,7 +73,7 @@ class Result:
     @property
     def segments(self) -> list[dict[str, Any]]: ...
     @property
-    def objects(self) -> list[dict[str, Any]]: ...
+    def objects(self) -> list[Object]: ...
     @property
     def patches(self) -> list[dict[str, Any]]: ...
     @property

@@ -10,6 +10,7 @@ import numpy
 from numpy.typing import NDArray
 
 from ._gestalt import OutputError
+from .objects import Object, objects_of
 from .types import Pairs, Path
 
 __all__ = ["StoredResult"]
@@ -37,9 +38,9 @@ class StoredResult:
         return copy.deepcopy(self.content["segments"])
 
     @property
-    def objects(self) -> list[dict[str, Any]]:
-        """The segments that are objects."""
-        return [segment for segment in self.segments if segment["role"] == "object"]
+    def objects(self) -> list[Object]:
+        """The segments that are objects, largest first."""
+        return objects_of(copy.deepcopy(self.content), self.labels, self.points, self.normals)
 
     @property
     def patches(self) -> list[dict[str, Any]]:

@@ -92,11 +92,8 @@ class Result {
   py::list segments() { return object_of(content().at("segments")); }
   py::list patches() { return object_of(content().at("patches")); }
 
-  py::list objects() {
-    py::list objects;
-    for (const py::handle segment : segments())
-      if (py::cast<std::string>(segment["role"]) == "object") objects.append(segment);
-    return objects;
+  py::object objects() {
+    return py::module_::import("gestalt.objects").attr("objects_of")(dictionary(), labels(), points(), normals());
   }
 
   py::dict pairs(Level level) const {
@@ -373,7 +370,7 @@ void bind_segmenter(py::module_& module) {
       .def_property_readonly("segments", py::cpp_function(on_object(&Result::segments), Computing()),
                              "Label, role, pixels and patches of each segment, as in result.json, largest first.")
       .def_property_readonly("objects", py::cpp_function(on_object(&Result::objects), Computing()),
-                             "The segments that are objects.")
+                             "The segments that are objects, each a gestalt.Object, largest first.")
       .def_property_readonly("patches", py::cpp_function(on_object(&Result::patches), Computing()),
                              "Pixels and parametric surface of each patch, as in result.json.")
       .def_property_readonly(

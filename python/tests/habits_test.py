@@ -32,8 +32,9 @@ class HabitsTest(unittest.TestCase):
         self.assertIsInstance(stored, gestalt.StoredResult)
         for name in ("labels", "object_labels", "patch_labels", "normals", "points"):
             numpy.testing.assert_array_equal(getattr(stored, name), getattr(self.result, name), name)
-        for name in ("name", "milliseconds", "segments", "objects", "patches"):
+        for name in ("name", "milliseconds", "segments", "patches"):
             self.assertEqual(getattr(stored, name), getattr(self.result, name), name)
+        self.assertEqual(repr(stored.objects), repr(self.result.objects))
         self.assertEqual(stored.to_dict(), self.result.to_dict())
         numpy.testing.assert_array_equal(stored.assembly["values"], self.result.assembly["values"])
         self.assertEqual(repr(stored).replace("StoredResult", "Result"), repr(self.result))
