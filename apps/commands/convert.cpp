@@ -14,6 +14,7 @@
 #include "gestalt/apps/scene_batch.h"
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/output_file.h"
+#include "gestalt/io/bag/bag_frames.h"
 #include "gestalt/io/dataset/bop_scene.h"
 #include "gestalt/io/dataset/labelled_cloud.h"
 #include "gestalt/io/dataset/ocid_sequence.h"
@@ -34,6 +35,7 @@ struct Options {
   std::string to = "scene";  ///< one of scene_formats()
   fs::path output;
   ReadingOptions reading;
+  BagTopics topics;
 };
 
 /// A scene of any layout. It goes by the path that names it in messages.
@@ -72,6 +74,15 @@ std::vector<SourceScene> ocid_scenes(const Options& options, const ReadOptions& 
   return scenes;
 }
 
+std::vector<SourceScene> bag_scenes(const Options& options, const ReadOptions& read) {
+  const auto bag = std::make_shared<const BagFrames>(options.input, options.topics);
+  tell(options.input, bag->warnings(), bag->notes());
+  std::vector<SourceScene> scenes;
+  for (const BagFrame& frame : bag->frames())
+    scenes.push_back({options.input / frame.name, frame.name, [=] { return bag->read(frame, read); }});
+  return scenes;
+}
+
 /// Scenes of one of scene_formats().
 std::vector<SourceScene> own_scenes(const Options& options, const ReadOptions& read) {
   std::vector<SourceScene> scenes;
@@ -89,10 +100,10 @@ std::vector<SourceScene> own_scenes(const Options& options, const ReadOptions& r
   return scenes;
 }
 
-/// How a data set is laid out in folders.
+/// How a data set is laid out.
 struct Layout {
   std::string name;
-  std::vector<std::string> holds;  ///< by which it is recognised
+  std::vector<std::string> holds;  ///< by which a folder is recognised; none: it is a file
   std::string input;               ///< what the command takes, for its help
   std::string summary;
   std::vector<SourceScene> (*scenes)(const Options& options, const ReadOptions& read);
@@ -106,14 +117,16 @@ const std::vector<Layout> layouts{
      osd_scenes},
     {"tum", {"rgb.txt", "depth.txt"}, "a sequence", "an RGB-D sequence of TUM", tum_scenes},
     {"bop", {"scene_camera.json"}, "a scene or a folder of them", "of the BOP benchmark", bop_scenes},
-    {"ocid", {"depth", "label"}, "the release or a part of it", "the Object Cluttered Indoor Dataset", ocid_scenes}};
+    {"ocid", {"depth", "label"}, "the release or a part of it", "the Object Cluttered Indoor Dataset", ocid_scenes},
+    {"rosbag", {}, "a .bag, .mcap or .db3 file, or the folder of rosbag2", "a recording of ROS 1 or 2", bag_scenes}};
 
 /// The layout that the input has by its files.
 std::string guess(const fs::path& input) {
   std::error_code error;
   const auto is_there = [&](const std::string& name) { return fs::exists(input / name, error); };
+  if (is_bag(input)) return "rosbag";
   for (const Layout& layout : layouts)
-    if (std::ranges::all_of(layout.holds, is_there)) return layout.name;
+    if (!layout.holds.empty() && std::ranges::all_of(layout.holds, is_there)) return layout.name;
   if (const SceneFormat* format = scene_format_of(input)) return format->name;
   try {
     for (const fs::path& scene : find_scenes({input}))  // a link to nowhere has no format
@@ -128,6 +141,8 @@ std::vector<SourceScene> open(const Options& options) {
   const auto layout = std::ranges::find(layouts, options.from, &Layout::name);
   if (layout != layouts.end() && read.labels != LabelScheme::guess)
     throw ConfigError("--labels: the annotation of --from " + options.from + " has a fixed meaning; omit this option");
+  if (options.from != "rosbag" && !(options.topics.depth.empty() && options.topics.colour.empty()))
+    throw ConfigError("--depth-topic and --rgb-topic are of recordings of ROS; omit them for --from " + options.from);
   return (layout == layouts.end() ? own_scenes : layout->scenes)(options, read);
 }
 
@@ -209,11 +224,17 @@ void add_convert(CLI::App& app, Run& run) {
                    "the same for test; scenes whose name is neither learnN nor testN go to scenes/")
       ->required()
       ->type_name("DIR");
+  command
+      ->add_option("--depth-topic", options->topics.depth,
+                   "Depth images of a recording of ROS (default: by the topics' names; `gestalt info` lists them)")
+      ->type_name("TOPIC");
+  command->add_option("--rgb-topic", options->topics.colour, "Its colour images")->type_name("TOPIC");
   add_reading_options(*command, options->reading);
   command->footer(
       "Example: gestalt convert OSD-0.2-depth --output osd\n"
       "         gestalt reproduce osd --output report\n"
       "         gestalt convert rgbd_dataset_freiburg1_desk --from tum --output desk\n"
+      "         gestalt convert recording.bag --output recorded\n"
       "         gestalt convert scenes --from scene --to npz --output arrays");
   command->callback([options, &run] { run = [options] { return convert(*options); }; });
 }

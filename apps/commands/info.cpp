@@ -22,6 +22,7 @@
 #include "gestalt/core/base/json_file.h"
 #include "gestalt/core/base/output_file.h"
 #include "gestalt/core/pipeline/learning_set.h"
+#include "gestalt/io/bag/bag.h"
 #include "gestalt/io/result/result_digests.h"
 #include "gestalt/io/result/result_file.h"
 #include "gestalt/io/scene/input.h"
@@ -151,9 +152,21 @@ Description describe_result(const fs::path& file) {
   return description;
 }
 
+Description describe_bag(const fs::path& file) {
+  const std::unique_ptr<Bag> bag = open_bag(file, [](const BagTopic&, const MessagePlace&, std::string_view) {});
+  Description topics = Description::object();
+  for (const BagTopic& topic : bag->topics())
+    topics[topic.name] = (topic.type.empty() ? "unknown type" : topic.type) + ", " + std::to_string(topic.messages) +
+                         (topic.messages == 1 ? " message" : " messages");
+  Description description{{"kind", "recording of ROS"}, {"topics", std::move(topics)}};
+  if (!bag->broken_off().empty()) description["breaks_off"] = bag->broken_off();
+  description["more"] = "gestalt convert " + file.string() + " --output scenes";
+  return description;
+}
+
 [[noreturn]] void fail(const fs::path& file, const std::string& why) {
   throw InputError(file.string() + ": " + why + "; info reads scene folders, " + scene_extensions(" and ") +
-                   " files, camera files, configs, models and result.json");
+                   " files, recordings of ROS, camera files, configs, models and result.json");
 }
 
 Description describe_camera_file(const fs::path& file) {
@@ -203,11 +216,13 @@ Description describe(const fs::path& path, const Options& options) {
   const auto status = fs::status(path, error);
   if (status.type() == fs::file_type::not_found) fail(path, "does not exist");
   const SceneFormat* const format = scene_format_of(path);
+  if (status.type() == fs::file_type::directory && !format && is_bag(path)) return describe_bag(path);
   if (status.type() == fs::file_type::directory)
     return format ? describe_scene(*format, path, options) : describe_folder(path, options);
   if (status.type() != fs::file_type::regular) fail(path, "is neither a file nor a folder");
   if (!std::ifstream(path)) fail(path, "cannot be read");
   if (format) return describe_scene(*format, path, options);
+  if (is_bag(path)) return describe_bag(path);
   const std::string extension = lower_extension(path);
   if (extension == ".json") return describe_json(path);
   if (extension == ".yaml" || extension == ".yml") return describe_yaml(path);
@@ -249,7 +264,7 @@ void add_info(CLI::App& app, Run& run) {
   CLI::App* command = app.add_subcommand("info", "Describe a scene, cloud, camera, config, model or result file");
   command->add_option("FILE", arguments->files,
                       "Scene folder, folder of scenes, recording, " + scene_extensions(", ") +
-                          ", depth image with or without its colour image, YAML or JSON file");
+                          ", depth image with or without its colour image, recording of ROS, YAML or JSON file");
   add_frame_options(*command, arguments->frame);
   add_reading_options(*command, arguments->reading);
   command

@@ -11,6 +11,7 @@
 
 #include "folder_source.h"
 #include "gestalt/core/base/error.h"
+#include "gestalt/io/bag/bag.h"
 #include "gestalt/io/scene/scene_path.h"
 #include "line_source.h"
 
@@ -27,6 +28,9 @@ std::unique_ptr<FrameSource> open_source(const fs::path& source, bool follow) {
     throw InputError(source.string() +
                      ": is a scene, not a source of scenes; give the folder that contains it, or use " +
                      "'gestalt segment'");
+  if (source != "-" && is_bag(source))
+    throw InputError(source.string() + ": is a recording of ROS; make scenes of it with `gestalt convert " +
+                     source.string() + " --output DIR`, then give DIR/scenes");
   if (fs::is_directory(source)) return std::make_unique<FolderSource>(source, follow);
   // A named pipe without a writer must not block here, where no signal would be noticed.
   const int file = ::open(source.c_str(), O_RDONLY | O_NONBLOCK | O_CLOEXEC);

@@ -98,8 +98,7 @@ cv::Mat decode(const fs::path& file, std::string_view bytes, const PngHeader& he
 
 }  // namespace
 
-cv::Mat read_colour_png(const fs::path& file) {
-  const std::string bytes = read_bytes(file, largest_png);
+cv::Mat colour_of_png(const fs::path& file, std::string_view bytes) {
   const PngHeader header = check_png(file, bytes);
   if (header.bits <= 8) return decode(file, bytes, header, CV_8UC3);
   std::string problem;
@@ -108,8 +107,9 @@ cv::Mat read_colour_png(const fs::path& file) {
   return colour;
 }
 
-cv::Mat_<std::uint16_t> read_depth_png(const fs::path& file) {
-  const std::string bytes = read_bytes(file, largest_png);
+cv::Mat read_colour_png(const fs::path& file) { return colour_of_png(file, read_bytes(file, largest_png)); }
+
+cv::Mat_<std::uint16_t> depth_of_png(const fs::path& file, std::string_view bytes) {
   const PngHeader header = check_png(file, bytes);
   if (header.bits != 16 || header.colour_type != 0)
     reject_png(file,
@@ -117,6 +117,10 @@ cv::Mat_<std::uint16_t> read_depth_png(const fs::path& file) {
                    ", depth must be 16-bit grey; save the sensor's depth as uint16 (millimetres, or another unit named "
                    "by depth_scale in camera.yaml), not a picture of it");
   return decode(file, bytes, header, CV_16UC1);
+}
+
+cv::Mat_<std::uint16_t> read_depth_png(const fs::path& file) {
+  return depth_of_png(file, read_bytes(file, largest_png));
 }
 
 cv::Mat_<std::uint16_t> read_label_png(const fs::path& file) {

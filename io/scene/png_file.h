@@ -5,6 +5,7 @@
 #include <cstdint>
 #include <filesystem>
 #include <opencv2/core.hpp>
+#include <string_view>
 
 #include "gestalt/core/base/export.h"
 
@@ -19,6 +20,10 @@ GESTALT_EXPORT cv::Mat read_colour_png(const std::filesystem::path& file);
 
 /// One channel of 16 bits.
 GESTALT_EXPORT cv::Mat_<std::uint16_t> read_depth_png(const std::filesystem::path& file);
+
+/// The same of bytes that are not a file's; file names them in messages.
+cv::Mat colour_of_png(const std::filesystem::path& file, std::string_view bytes);
+cv::Mat_<std::uint16_t> depth_of_png(const std::filesystem::path& file, std::string_view bytes);
 
 /// One channel of 8 or 16 bits.
 GESTALT_EXPORT cv::Mat_<std::uint16_t> read_label_png(const std::filesystem::path& file);
