@@ -41,7 +41,7 @@ Direction direction(const Points& points, const Eigen::Vector3d& axis, const Eig
 /// A side of the smallest rectangle around the points, as seen along up.
 Eigen::Vector3d side_of_outline(const Points& points, const Eigen::Vector3d& up) {
   const auto [x, y] = across(up);
-  const Eigen::Vector3d origin = points.front();
+  const Eigen::Vector3d& origin = points.front();
   std::vector<cv::Point2f> flat, hull;
   for (const Eigen::Vector3d& p : points) flat.emplace_back(float(x.dot(p - origin)), float(y.dot(p - origin)));
   cv::convexHull(flat, hull);

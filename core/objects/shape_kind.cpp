@@ -25,7 +25,7 @@ double square(double x) { return x * x; }
 /// Root of the mean squared distance to the plane through all points.
 double plane_error(const std::vector<Facet>& facets) {
   Moments moments;
-  const Eigen::Vector3d origin = facets.front().points.front();
+  const Eigen::Vector3d& origin = facets.front().points.front();
   for (const Facet& facet : facets)
     for (const Eigen::Vector3d& p : facet.points) moments.add(p - origin);
   const Eigen::SelfAdjointEigenSolver<Eigen::Matrix3d> axes(moments.covariance(), Eigen::EigenvaluesOnly);
@@ -117,6 +117,7 @@ double cylinder_error(const std::vector<Facet>& facets, const Eigen::Vector3d& a
   if (circle.error == none || double(side.size()) < 0.2 * count) return none;
   // The largest gap between directions is what is not seen.
   std::vector<double> angles;
+  angles.reserve(side.size());
   for (const Eigen::Vector2d& p : side)
     angles.push_back(std::atan2(p.y() - circle.centre.y(), p.x() - circle.centre.x()));
   std::sort(angles.begin(), angles.end());

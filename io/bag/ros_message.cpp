@@ -138,7 +138,7 @@ cv::Mat decoded_depth(std::string_view format, std::string_view data) {
   const auto a = reader.number<float>(), b = reader.number<float>();
   const std::string_view stored = reader.bytes(reader.left());
   if (!is_png(stored)) throw InputError("compressed depth is not a PNG image");
-  const cv::Mat_<std::uint16_t> image = depth_of_png(compressed, stored);
+  cv::Mat_<std::uint16_t> image = depth_of_png(compressed, stored);
   if (!format.starts_with("32FC1")) return image;
   cv::Mat_<float> metres(image.size());
   for (int v = 0; v < image.rows; ++v)
