@@ -14,7 +14,7 @@ namespace gestalt {
 
 namespace {
 
-enum class Op : std::uint8_t { message = 2, bag_header = 3, chunk = 5, connection = 7 };
+enum class RecordKind : std::uint8_t { message = 2, bag_header = 3, chunk = 5, connection = 7 };
 
 /// The fields of a record's header, by name.
 std::map<std::string, std::string_view, std::less<>> fields_of(std::string_view header) {
@@ -37,7 +37,7 @@ class Record {
         place_(reader.place()),
         data_(reader.bytes(size_)) {}
 
-  Op op() const { return Op(number<std::uint8_t>("op")); }
+  RecordKind kind() const { return RecordKind(number<std::uint8_t>("op")); }
   std::string_view data() const { return data_; }
   std::size_t place() const { return place_; }  ///< of the data
 
@@ -76,8 +76,8 @@ class Ros1Bag final : public Bag {
         const std::string bytes = file_.read(place, record->size);
         ByteReader reader(bytes);
         const Record read(reader);
-        if (read.op() == Op::chunk) scan_chunk(place, decompressed(read), take);
-        if (read.op() == Op::connection) add_connection(read);
+        if (read.kind() == RecordKind::chunk) scan_chunk(place, decompressed(read), take);
+        if (read.kind() == RecordKind::connection) add_connection(read);
       } catch (const InputError& error) {
         if (std::string(error.what()).find(": byte ") != std::string::npos) throw;
         file_.fail(place, error.what());
@@ -114,8 +114,8 @@ class Ros1Bag final : public Bag {
   void scan_chunk(std::uint64_t place, const std::string& chunk, const Take& take) {
     for (ByteReader reader(chunk); !reader.ended();) {
       const Record record(reader);
-      if (record.op() == Op::connection) add_connection(record);
-      if (record.op() != Op::message) continue;
+      if (record.kind() == RecordKind::connection) add_connection(record);
+      if (record.kind() != RecordKind::message) continue;
       const auto known = topic_of_.find(record.number<std::uint32_t>("conn"));
       if (known == topic_of_.end()) throw InputError("a message has no connection");
       BagTopic& topic = topics_[known->second];
