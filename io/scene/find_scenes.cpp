@@ -95,8 +95,7 @@ std::vector<fs::path> find_scenes(const std::vector<fs::path>& paths) {
       const auto inside = scenes_in(path);
       scenes.insert(scenes.end(), inside.begin(), inside.end());
     } else {
-      throw InputError(path.string() + ": is not a scene; give a scene folder, a " + scene_extensions(" or ") +
-                       " file, or a folder of those");
+      refuse_non_scene(path, "a folder of those");
     }
   }
   std::vector<NamedScene> named;

@@ -24,9 +24,7 @@ cv::Mat_<float> depth_in_metres(const cv::Mat_<std::uint16_t>& raw, double scale
 Input read_scene(const fs::path& path, const ReadOptions& options) {
   const SceneFormat* format = scene_format_of(path);
   std::error_code ignored;
-  if (!format && fs::is_regular_file(path, ignored))
-    throw InputError(path.string() + ": is not a scene; give a scene folder, a " + scene_extensions(" or ") +
-                     " file, or a depth image");
+  if (!format && fs::is_regular_file(path, ignored)) refuse_non_scene(path, "a depth image");
   // What is not a scene by its names is read as the commonest of its sort, whose reader says what is missing.
   if (!format) format = find_scene_format(fs::is_directory(path, ignored) ? "scene" : "pcd");
   Input input = format->read(path, options);

@@ -10,6 +10,7 @@
 #include "cloud_scene.h"
 #include "folder_scene.h"
 #include "frame_scene.h"
+#include "gestalt/core/base/error.h"
 #include "gestalt/io/scene/scene_path.h"
 #include "npz_scene.h"
 
@@ -54,6 +55,15 @@ std::string scene_extensions(std::string_view last) {
   for (std::size_t i = 0; i < extensions.size(); ++i)
     text.append(i == 0 ? "" : i + 1 < extensions.size() ? ", " : last).append(extensions[i]);
   return text;
+}
+
+void refuse_non_scene(const fs::path& file, const std::string& other) {
+  const std::string extension = lower_extension(file);
+  if (extension == ".bag" || extension == ".mcap" || extension == ".db3")
+    throw InputError(file.string() + ": is a recording of ROS; make scenes of it with `gestalt convert " +
+                     file.string() + " --output DIR`, then give DIR/scenes");
+  throw InputError(file.string() + ": is not a scene; give a scene folder, a " + scene_extensions(" or ") +
+                   " file, or " + other);
 }
 
 }  // namespace gestalt

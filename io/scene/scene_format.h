@@ -56,4 +56,8 @@ GESTALT_EXPORT const SceneFormat* find_scene_format(std::string_view name);
 /// The extensions of scene files, as a sentence lists them: ".pcd, .ply or .npz" with last = " or ".
 GESTALT_EXPORT std::string scene_extensions(std::string_view last);
 
+/// Throws InputError for a file that is not a scene, naming what can be given, the last of which is other; for a
+/// recording of ROS, how to make scenes of it.
+[[noreturn]] void refuse_non_scene(const std::filesystem::path& file, const std::string& other);
+
 }  // namespace gestalt

@@ -74,6 +74,12 @@ class RecordingsTest(unittest.TestCase):
         shutil.copy(HERE / "rosbag2.db3", bag / "bag_1.db3")
         self.assertIn("has 2 recordings; give one of them", self.convert(bag, code=3))
 
+    def test_other_commands_say_how_to_make_scenes(self):
+        for words in (("segment", "--output", self.out), ("stream", "--output", self.out), ("evaluate",)):
+            told = gestalt(words[0], HERE / "lz4.bag", *words[1:])
+            self.assertEqual(told.returncode, 3)
+            self.assertIn(f"is a recording of ROS; make scenes of it with `gestalt convert {HERE / 'lz4.bag'} --output DIR`", told.stderr)
+
     def test_topics_can_be_chosen(self):
         told = self.convert(HERE / "bz2.bag", "--depth-topic", "/nowhere", code=3)
         self.assertIn("--depth-topic /nowhere: is not a topic of images here; topics: /camera", told)
