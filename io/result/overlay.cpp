@@ -14,11 +14,10 @@ namespace gestalt {
 
 namespace {
 
-constexpr int largest_gap = 64;  // pixels
-
-/// Labels, with those of the nearest labelled pixel in small gaps: depth lacks single pixels everywhere, and their
-/// outlines would hide those of the objects.
+/// Labels, with those of the nearest labelled pixel in gaps of up to 64 pixels of 640 x 480: depth lacks pixels
+/// everywhere, and their outlines would hide those of the objects.
 cv::Mat_<std::uint16_t> without_gaps(const cv::Mat_<std::uint16_t>& labels) {
+  const std::size_t largest_gap = std::max<std::size_t>(64, labels.total() / (640 * 480 / 64));
   const cv::Mat missing = labels == 0;
   cv::Mat_<int> gaps, nearest;
   cv::Mat areas, centres, distances;
@@ -33,7 +32,7 @@ cv::Mat_<std::uint16_t> without_gaps(const cv::Mat_<std::uint16_t>& labels) {
   cv::Mat_<std::uint16_t> filled = labels.clone();
   for (int v = 0; v < labels.rows; ++v)
     for (int u = 0; u < labels.cols; ++u)
-      if (labels(v, u) == 0 && areas.at<int>(gaps(v, u), cv::CC_STAT_AREA) <= largest_gap)
+      if (labels(v, u) == 0 && std::size_t(areas.at<int>(gaps(v, u), cv::CC_STAT_AREA)) <= largest_gap)
         filled(v, u) = label_of[std::size_t(nearest(v, u))];
   return filled;
 }
@@ -87,10 +86,8 @@ cv::Mat draw_segments(const Frame& frame, const Segmentation& segmentation) {
       auto& pixel = picture.at<cv::Vec3b>(v, u);
       if (ends(u + 1, v) || ends(u, v + 1) || ends(u + 1, v + 1))
         pixel = {255, 255, 255};
-      else if (own > 0)
-        pixel = base * 0.5 + colours[std::size_t(own) - 1] * 0.5;
       else
-        pixel = labels(v, u) > 0 ? base : cv::Vec3b(base * 0.5);
+        pixel = own > 0 ? cv::Vec3b(base * 0.5 + colours[std::size_t(own) - 1] * 0.5) : base;
     }
 
   const std::vector<cv::Rect> boxes = boxes_of(labels, segmentation.segments.size());

@@ -3,6 +3,8 @@
 
 #include <gtest/gtest.h>
 
+#include <opencv2/imgproc.hpp>
+
 #include "gestalt/io/result/result.h"
 #include "gestalt/io/result/segment_colours.h"
 #include "gestalt/tests/scenes/test_scenes.h"
@@ -54,18 +56,35 @@ TEST_F(DrawSegments, DrawsNothingRoundBackground) {
 
 TEST_F(DrawSegments, DrawsSmallGapsAsWhatIsBesideThem) {
   segmentation_.labels(95, 110) = 0;                     // in the object
-  segmentation_.labels(30, 30) = 0;                      // in the table
-  segmentation_.labels(cv::Rect(200, 200, 20, 20)) = 0;  // not small
+  segmentation_.labels(cv::Rect(105, 130, 20, 20)) = 0;  // in the object, not small
   EXPECT_EQ(drawn(95, 110), tinted_);
   EXPECT_EQ(drawn(95, 109), tinted_);
-  EXPECT_EQ(drawn(30, 30), cv::Vec3b(100, 100, 100));
-  EXPECT_EQ(drawn(210, 210), cv::Vec3b(50, 50, 50));
+  EXPECT_EQ(drawn(130, 104), white);
+  EXPECT_EQ(drawn(140, 115), cv::Vec3b(100, 100, 100));
+}
+
+TEST_F(DrawSegments, DrawsWhatIsNoObjectAsTheCameraSeesIt) {
+  for (int v = 0; v < 80; v += 7)
+    for (int u = 0; u < 320; u += 5) segmentation_.labels(v, u) = 0;  // depth is missing here and there,
+  segmentation_.labels(cv::Rect(240, 0, 80, 240)) = 0;                // and in a large region
+  const cv::Mat picture = draw_segments(frame_, segmentation_);
+  for (int v = 0; v < 240; ++v)
+    for (int u = v < 85 ? 0 : 185; u < 320; ++u)
+      ASSERT_EQ(picture.at<cv::Vec3b>(v, u), cv::Vec3b(100, 100, 100)) << v << ", " << u;
+}
+
+TEST_F(DrawSegments, SmallGapsGrowWithTheImage) {
+  cv::resize(segmentation_.labels, segmentation_.labels, {1280, 960}, 0, 0, cv::INTER_NEAREST);
+  frame_.colour = cv::Mat(960, 1280, CV_8UC3, cv::Scalar::all(100));
+  segmentation_.labels(cv::Rect(420, 380, 16, 15)) = 0;
+  EXPECT_EQ(drawn(385, 425), tinted_);
+  EXPECT_EQ(drawn(385, 419), tinted_);
 }
 
 TEST_F(DrawSegments, DrawsAFrameWithoutSegments) {
   segmentation_.labels = 0;
   segmentation_.segments.clear();
-  EXPECT_EQ(drawn(120, 160), cv::Vec3b(50, 50, 50));
+  EXPECT_EQ(drawn(120, 160), cv::Vec3b(100, 100, 100));
 }
 
 }  // namespace
