@@ -41,6 +41,9 @@ TEST(Usage, HelpAndVersion) {
                                                   {"completion"},
                                                   {"new-plugin"},
                                                   {"plugins"},
+                                                  {"models"},
+                                                  {"models", "list"},
+                                                  {"models", "info"},
                                                   {"config"},
                                                   {"info"},
                                                   {"plugins", "list"},
@@ -133,6 +136,10 @@ TEST(Usage, WrongUsageIsNamedAndHasExitCode2) {
        {Wrong{{}, "subcommand is required"},
         Wrong{{"segmnt", scene}, "did you mean 'segment'?"},
         Wrong{{"plugins"}, "subcommand is required"},
+        Wrong{{"models"}, "subcommand is required"},
+        Wrong{{"models", "info"}, "NAME"},
+        Wrong{{"models", "info", "realtme"}, "did you mean 'realtime'?"},
+        Wrong{{"models", "info", "mine.json"}, "gestalt info FILE"},
         Wrong{{"config"}, "subcommand is required"},
         Wrong{{"segment"}, "inputs"},
         Wrong{{"segment", scene, "--outptu", "x"}, "unknown option '--outptu'; did you mean '--output'?"},
@@ -177,6 +184,38 @@ TEST(Usage, WrongUsageIsNamedAndHasExitCode2) {
     EXPECT_GT(occurrences(word, outcome.err), 0) << word << "\nnot in\n" << outcome.err;
   }
   EXPECT_FALSE(fs::exists("unused"));
+}
+
+TEST(Models, EachInstalledFileIsListedWithItsDataLicenceAndConfig) {
+  const Outcome text = run_gestalt({"models", "list"}), outcome = run_gestalt({"models", "list", "--json"});
+  expect_success(text);
+  expect_success(outcome);
+  std::set<std::string> listed, installed;
+  fs::path folder;
+  for (const json& model : json::parse(outcome.out)) {
+    const std::string name = model.at("name");
+    folder = fs::path(model.at("file").get<std::string>()).parent_path();
+    listed.insert(name);
+    EXPECT_GT(occurrences(name, text.out), 0) << text.out;
+    EXPECT_FALSE(model.at("licence").get<std::string>().empty());
+    EXPECT_FALSE(model.at("score_percent").empty()) << name;
+    // Its config takes it.
+    expect_success(run_gestalt({"config", "check", model.at("config"), "--set", "model=" + name + ".json"}));
+    const Outcome info = run_gestalt({"models", "info", name});
+    expect_success(info);
+    EXPECT_EQ(json::parse(run_gestalt({"models", "info", name + ".json", "--json"}).out), model);
+    const json content = json::parse(run_gestalt({"info", model.at("file"), "--json"}).out);
+    std::size_t scenes = 0;
+    for (const json& data : model.at("training_data")) {
+      scenes += data.at("scenes").get<std::size_t>();
+      EXPECT_GT(occurrences(data.at("text"), info.out), 0) << info.out;
+      EXPECT_GT(occurrences(data.at("licence"), info.out), 0) << info.out;
+    }
+    EXPECT_EQ(content.at("structural").at("training_scenes").size(), scenes) << name;
+  }
+  for (const auto& file : fs::directory_iterator(folder))
+    if (file.path().extension() == ".json") installed.insert(file.path().stem());
+  EXPECT_EQ(listed, installed);
 }
 
 TEST(Plugins, ListNamesEveryComponentOfTheDefaultConfig) {
