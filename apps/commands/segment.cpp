@@ -12,6 +12,7 @@
 #include "command.h"
 #include "gestalt/apps/counted.h"
 #include "gestalt/apps/frame_options.h"
+#include "gestalt/apps/next_step.h"
 #include "gestalt/apps/scene_batch.h"
 #include "gestalt/apps/scene_segmenter.h"
 #include "gestalt/apps/viewer.h"
@@ -28,6 +29,13 @@ struct Options {
   bool resume = false;
   SegmenterOptions segmenter;
 };
+
+/// Whether the scene is read without options, so that `inspect` needs none either.
+bool has_its_camera(const Options& options) {
+  const ReadingOptions& reading = options.segmenter.reading;
+  return options.frame.depth.empty() && reading.colour.empty() && reading.camera.empty() && !reading.fx &&
+         text_of(reading) == text_of({});
+}
 
 int segment(const Options& options) {
   std::optional<Viewer> viewer;
@@ -56,6 +64,8 @@ int segment(const Options& options) {
     written.emplace(scene, done.folder);
     return line.str();
   });
+  if (!viewer && written.size() == 1 && scenes.size() == 1 && has_its_camera(options))
+    suggest_next("See why in a browser", {"inspect", written.begin()->second, "--output", "page.html"});
   if (!viewer || written.empty() || code > 128) return code;
   std::vector<std::filesystem::path> results;
   for (const std::filesystem::path& scene : scenes)

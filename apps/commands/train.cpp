@@ -9,6 +9,7 @@
 #include "command.h"
 #include "gestalt/apps/counted.h"
 #include "gestalt/apps/depth_only.h"
+#include "gestalt/apps/next_step.h"
 #include "gestalt/apps/output_check.h"
 #include "gestalt/apps/pipeline_options.h"
 #include "gestalt/apps/reading_options.h"
@@ -70,6 +71,11 @@ int train(const Options& options) {
   std::cout << options.output.string() << '\n';
   print_model(models.structural, Level::structural);
   if (models.assembly) print_model(*models.assembly, Level::assembly);
+  std::vector<std::string> use{"segment", "INPUT"};
+  if (!chosen.config.empty()) use.insert(use.end(), {"--config", chosen.config});
+  for (const std::string& value : chosen.overrides) use.insert(use.end(), {"--set", value});
+  use.insert(use.end(), {"--set", "model=" + options.output.string()});
+  suggest_next("Use the model", use);
   return success;
 }
 

@@ -186,6 +186,33 @@ TEST(Usage, WrongUsageIsNamedAndHasExitCode2) {
   EXPECT_FALSE(fs::exists("unused"));
 }
 
+/// What the command prints on a terminal.
+std::string on_terminal(const std::string& arguments) {
+  const std::string script =
+      std::string("script --quiet --command \"") + GESTALT_COMMAND + " " + arguments + "\" /dev/null";
+  std::unique_ptr<FILE, int (*)(FILE*)> terminal(popen(script.c_str(), "r"), pclose);
+  std::string printed;
+  for (std::array<char, 256> part{}; fgets(part.data(), part.size(), terminal.get());) printed += part.data();
+  return printed;
+}
+
+TEST(Usage, ATerminalIsToldTheNextCommand) {
+  const TemporaryFolder folder;
+  const std::string scene = synthetic_scene(), model = folder.path() / "a model.json", out = folder.path() / "out";
+  const std::string segmented = on_terminal("segment '" + scene + "' --output " + out);
+  const std::string result = fs::path(out) / fs::path(scene).filename();
+  EXPECT_GT(occurrences("See why in a browser: gestalt inspect " + result + " --output page.html", segmented), 0)
+      << segmented;
+  expect_success(run_gestalt({"inspect", result, "--output", folder.path() / "page.html"}));
+  // inspect would need the camera, too.
+  EXPECT_EQ(occurrences("inspect", on_terminal("segment '" + scene + "' --fx 525 --cx 320 --cy 240 --output " + out)),
+            0);
+  EXPECT_EQ(run_gestalt({"segment", scene, "--output", out}).err, "");
+
+  const std::string trained = on_terminal("train '" + scene + "' --config realtime --output '" + model + "'");
+  EXPECT_GT(occurrences("gestalt segment INPUT --config realtime --set 'model=" + model + "'", trained), 0) << trained;
+}
+
 TEST(Models, EachInstalledFileIsListedWithItsDataLicenceAndConfig) {
   const Outcome text = run_gestalt({"models", "list"}), outcome = run_gestalt({"models", "list", "--json"});
   expect_success(text);
