@@ -7,6 +7,7 @@ With GESTALT_BUILD a build tree is used, and brought up to date; otherwise a bui
 
 import base64
 import hashlib
+import json
 import os
 import pathlib
 import re
@@ -14,11 +15,12 @@ import subprocess
 import sys
 import sysconfig
 import tempfile
-import tomllib
 import zipfile
 
 SOURCE = pathlib.Path(__file__).parent.parent
-PROJECT = tomllib.loads((SOURCE / "pyproject.toml").read_text())["project"]
+# Its values are written as in JSON; Python 3.10 has no tomllib.
+PROJECT = {key: json.loads(value) for key, value in
+           re.findall(r"^(\S+) = (.+)$", (SOURCE / "pyproject.toml").read_text().split("[project]")[1], re.MULTILINE)}
 MODULES = pathlib.Path("lib", "python3", "dist-packages", "gestalt")
 
 
@@ -75,6 +77,15 @@ def metadata():
              f"Summary: {PROJECT['description']}", f"Requires-Python: {PROJECT['requires-python']}",
              "License: BSD-3-Clause"]
     return "\n".join(lines + [f"Requires-Dist: {name}" for name in PROJECT["dependencies"]]) + "\n"
+
+
+def prepare_metadata_for_build_wheel(metadata_directory, config_settings=None):
+    """So that pip does not build everything to learn the name."""
+    information = f"{PROJECT['name']}-{version()}.dist-info"
+    folder = pathlib.Path(metadata_directory, information)
+    folder.mkdir()
+    (folder / "METADATA").write_text(metadata())
+    return information
 
 
 def build_wheel(wheel_directory, config_settings=None, metadata_directory=None):

@@ -7,7 +7,6 @@
 >>> result.object_labels, result.objects, result.structural["probabilities"]
 """
 
-import inspect
 from typing import NamedTuple
 
 import numpy
@@ -94,22 +93,3 @@ def read_scene(
     --labels of the command. Warns about improbable input. Raises InputError."""
     read = _gestalt.read_scene(path, camera, depth_scale=depth_scale, depth_kind=depth_kind, labels=labels)
     return Scene(*read)
-
-
-def _shown(name: str, kind: inspect._ParameterKind, default: object, annotation: str) -> inspect.Parameter:
-    return inspect.Parameter(name, kind, default=default, annotation=annotation)
-
-
-# What inspect, editors and help() show of a compiled class.
-setattr(  # noqa: B010
-    Segmenter,
-    "__signature__",
-    inspect.Signature(
-        [
-            _shown("config", inspect.Parameter.POSITIONAL_OR_KEYWORD, None, "Path | None"),
-            _shown("overrides", inspect.Parameter.POSITIONAL_OR_KEYWORD, (), "Overrides"),
-            _shown("components", inspect.Parameter.KEYWORD_ONLY, None, "Mapping[str, type[Component]] | None"),
-            _shown("threads", inspect.Parameter.KEYWORD_ONLY, 0, "int"),
-        ]
-    ),
-)

@@ -15,6 +15,7 @@
 #include "gestalt/core/plugin/registry.h"
 #include "gestalt/core/plugin/running_component.h"
 #include "segmenter.h"
+#include "signatures.h"
 #include "text.h"
 #include "wording.h"
 
@@ -81,6 +82,7 @@ PYBIND11_MODULE(_gestalt, module) {
       "data_directory", [] { return data_directory().string(); }, "Where the installed configs and models are.");
   module.def("keep_freed_memory", keep_freed_memory,
              "Lets the process keep up to 256 MiB of freed memory for the next frame, whatever its environment says.");
+  make_signatures_readable(module);
 }
 
 }  // namespace gestalt::python

@@ -2,6 +2,7 @@
 # SPDX-License-Identifier: BSD-3-Clause
 """What users of Python expect of any package: short errors, readable texts, pickles."""
 
+import ast
 import inspect
 import os
 import pathlib
@@ -95,7 +96,7 @@ class HabitsTest(unittest.TestCase):
     def test_an_object_that_was_never_initialised_is_a_type_error(self):
         for cls in (gestalt.Result, gestalt.Segmenter, gestalt.SceneView, gestalt.Camera):
             empty = cls.__new__(cls)
-            own = {name for name in vars(cls) if name not in ("__init__", "__module__", "__doc__", "__signature__")}
+            own = {name for name in vars(cls) if name not in ("__init__", "__module__", "__doc__")}
             for name in sorted(own):
                 with self.subTest(cls=cls.__name__, name=name), self.assertRaises(TypeError):
                     value = getattr(empty, name)
@@ -104,11 +105,38 @@ class HabitsTest(unittest.TestCase):
             self.segmenter(self.scene.colour, self.scene.depth, gestalt.Camera.__new__(gestalt.Camera))
 
     def test_signatures_can_be_read(self):
-        self.assertEqual(
-            str(inspect.signature(gestalt.Segmenter)),
-            "(config: 'Path | None' = None, overrides: 'Overrides' = (), *, components: 'Mapping[str, type[Component]] | None' = None,"
-            " threads: 'int' = 0)",
-        )
+        for function, signature in (
+            (gestalt.Segmenter, "(config=None, overrides=(), *, components=None, threads=0)"),
+            (gestalt.Camera, "(width, height, fx, fy, cx, cy)"),
+            (self.segmenter, "(colour, depth=None, camera=None, name='frame', *, depth_scale=None, depth_kind=None)"),
+            (self.segmenter.segment, "(scene, camera=None, *, depth_scale=None, depth_kind=None, labels=None)"),
+            (gestalt.score, "(ground_truth, labels)"),
+            (gestalt.data_directory, "()"),
+        ):
+            self.assertEqual(str(inspect.signature(function)), signature)
+        names = [name for name in gestalt.__all__ if callable(getattr(gestalt, name)) and not name.endswith("Error")]
+        for name in set(names) - {"Result", "SceneView"}:  # those come from the package alone
+            with self.subTest(name):
+                self.assertGreater(len(str(inspect.signature(getattr(gestalt, name)))), 1)
+        self.assertTrue(gestalt.score.__doc__ and not gestalt.score.__doc__.startswith("score("))
+        self.assertTrue(gestalt.Segmenter.__call__.__doc__.startswith("Segments a frame."))
+
+    def test_the_stub_has_the_arguments_of_the_compiled_functions(self):
+        stub = ast.parse((pathlib.Path(gestalt.__file__).parent / "_gestalt.pyi").read_text())
+
+        def compare(owner, functions):
+            for declared in functions:
+                if not isinstance(declared, ast.FunctionDef) or declared.decorator_list or declared.name == "__reduce__":
+                    continue
+                arguments = declared.args
+                named = [a.arg for a in arguments.posonlyargs + arguments.args + arguments.kwonlyargs]
+                with self.subTest(f"{owner.__name__}.{declared.name}"):
+                    self.assertEqual(list(inspect.signature(getattr(owner, declared.name)).parameters), named)
+
+        compare(gestalt._gestalt, stub.body)
+        for declared in stub.body:
+            if isinstance(declared, ast.ClassDef):
+                compare(getattr(gestalt._gestalt, declared.name), declared.body)
 
 
 if __name__ == "__main__":

@@ -44,6 +44,18 @@ class InstallTest(unittest.TestCase):
             names = {str(pathlib.Path(file).relative_to(build)) for file in installed}
             self.assertEqual({name for name in names if name not in commands}, set())
 
+    def test_the_metadata_needs_no_build(self):
+        sys.path.insert(0, os.path.join(os.environ["GESTALT_SOURCE"], "python"))
+        import build_backend  # noqa: PLC0415
+
+        with tempfile.TemporaryDirectory() as work, mock.patch.dict(os.environ, {"PATH": work}):
+            information = build_backend.prepare_metadata_for_build_wheel(work)
+            metadata = pathlib.Path(work, information, "METADATA").read_text()
+        self.assertIn("Name: gestalt\n", metadata)
+        self.assertIn("Requires-Python: >=3.10\n", metadata)
+        self.assertIn("Requires-Dist: numpy\n", metadata)
+        self.assertRegex(metadata, r"Version: \d+\.\d+\.\d+\n")
+
     def test_a_failed_configuration_names_the_remedy(self):
         sys.path.insert(0, os.path.join(os.environ["GESTALT_SOURCE"], "python"))
         import build_backend  # noqa: PLC0415
