@@ -191,8 +191,9 @@ Model read_level(const fs::path& file, const json& document, Level level, const 
                    retrain + ", or use the config that it was made for");
   if (model.classifier != expected.classifier_name)
     fail(file, level_name + " level: was trained with the classifier '" + model.classifier + "', the config has '" +
-                   expected.classifier_name + "'; " + retrain + ", or set " + level_name + ".classifier to " +
-                   model.classifier);
+                   expected.classifier_name + "'; train one with `gestalt train SCENES --set " + level_name +
+                   ".classifier=" + expected.classifier_name + " --output mine.json` and use it with --set " +
+                   "model=mine.json, or set " + level_name + ".classifier to " + model.classifier);
   try {
     const ComponentName name = component_name("classifier", model.classifier);
     model.predictor =

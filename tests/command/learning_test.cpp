@@ -108,6 +108,9 @@ TEST_F(Learning, TheObjectImageIsScoredAsItIsWritten) {
 
 TEST_F(Learning, TheClassifierIsAConfigLine) {
   const std::string svm = "structural.classifier=svm";
+  // What the error of the installed model suggests is what follows.
+  expect_refused(run_gestalt({"segment", synthetic_scene(), "--set", svm, "--output", folder.path() / "out"}), 2,
+                 {"`gestalt train SCENES --set " + svm + " --output mine.json`", "--set model=mine.json"});
   expect_success(run_gestalt({"train", synthetic_scenes(), "--output", model, "--set", svm}));
   const std::string setting = "model=" + model.string();
   expect_success(run_gestalt({"evaluate", synthetic_scenes(), "--set", svm, "--set", setting, "--json"}));
