@@ -56,7 +56,12 @@ set(CPACK_COMPONENT_DEV_DESCRIPTION "Gestalt for other programs and for plugins
 
 set(CPACK_DEBIAN_PYTHON_PACKAGE_NAME python3-gestalt)
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SECTION python)
-set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS "gestalt ${same_version}, python3 (>= 3.11), python3 (<< 3.12), python3-numpy")
+get_directory_property(python DIRECTORY ${PROJECT_SOURCE_DIR}/python DEFINITION Python_VERSION_MINOR)
+if(python)  # the module is for this interpreter alone
+  math(EXPR next_python "${python} + 1")
+  set(CPACK_DEBIAN_PYTHON_PACKAGE_DEPENDS
+      "gestalt ${same_version}, python3 (>= 3.${python}), python3 (<< 3.${next_python}), python3-numpy")
+endif()
 set(CPACK_DEBIAN_PYTHON_PACKAGE_SUGGESTS "python3-distributed")
 set(CPACK_COMPONENT_PYTHON_DESCRIPTION "Gestalt in Python
  The segmenter on numpy arrays, components written in Python, batches by Dask.")
