@@ -22,7 +22,7 @@ bool is_foreign(const fs::path& folder, const std::string& name, const json& dig
   std::error_code error;
   if (name.empty() || fs::path(name) != fs::path(name).filename() || !fs::is_regular_file(file, error)) return false;
   try {
-    return file_digest(file) != digest;
+    return digest != json(file_digest(file));
   } catch (const InputError&) {
     return true;  // nobody can tell
   }
@@ -52,7 +52,7 @@ std::vector<std::string> own_files(const fs::path& result) {
     const json digests = digests_of(read_result_content(result));
     for (const auto& [name, digest] : digests.items()) {
       const fs::path file = result.parent_path() / name;
-      if (fs::path(name) == file.filename() && fs::is_regular_file(file, error) && file_digest(file) == digest)
+      if (fs::path(name) == file.filename() && fs::is_regular_file(file, error) && digest == json(file_digest(file)))
         own.push_back(name);
     }
   } catch (const InputError&) {
