@@ -380,8 +380,8 @@ TEST_F(Segment, TheOutputMayBeTheFolderOfTheScenes) {
   expect_success(segment({out}));
   expect_success(segment({out}));
   EXPECT_EQ(files_below(out / "scene"),
-            (std::vector<std::string>{"depth.png", "label.png", "labels.png", "objects.png", "overlay.png",
-                                      "patches.png", "result.json", "rgb.png"}));
+            (std::vector<std::string>{"depth.png", "label.png", "labels.png", "objects.json", "objects.png",
+                                      "overlay.png", "patches.png", "result.json", "rgb.png"}));
   EXPECT_EQ(content(out / "scene" / "label.png"), truth);
 }
 
