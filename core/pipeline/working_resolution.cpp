@@ -6,8 +6,11 @@
 #include <tbb/parallel_for.h>
 
 #include <algorithm>
+#include <array>
 #include <cmath>
+#include <cstdlib>
 #include <limits>
+#include <span>
 #include <vector>
 
 #include "gestalt/core/pipeline/surface_modelling.h"
@@ -42,6 +45,35 @@ Camera reduced_camera(const Camera& camera, int factor) {
           camera.fy / factor,
           centre(camera.cx, size.width),
           centre(camera.cy, size.height)};
+}
+
+/// A depth from which the pixels of a block that are of its larger side differ by no more than one_side; 0 where no
+/// pixel has depth. `depths` is room to work in.
+float depth_of_side(const Frame& frame, int factor, int u, int v, std::vector<float>& depths) {
+  depths.clear();
+  float nearest = std::numeric_limits<float>::infinity(), farthest = 0;
+  for_block(frame.depth.size(), factor, u, v, [&](int pixel) {
+    if (!frame.valid(pixel)) return;
+    const float z = frame.depth.ptr<float>()[pixel];
+    nearest = std::min(nearest, z);
+    farthest = std::max(farthest, z);
+    depths.push_back(z);
+  });
+  if (depths.empty()) return 0;
+  if (farthest - nearest <= one_side * nearest) return nearest;  // all are of one side, most often
+  const auto middle = depths.begin() + std::ptrdiff_t((depths.size() - 1) / 2);
+  std::nth_element(depths.begin(), middle, depths.end());
+  return *middle;
+}
+
+/// What two values of a channel of colour add to a difference, by how far they are apart.
+std::array<float, 256> channel_differences() {
+  std::array<float, 256> differences;
+  for (std::size_t i = 0; i < differences.size(); ++i) {
+    const float d = float(i) / colour_scale;
+    differences[i] = d * d / 3;
+  }
+  return differences;
 }
 
 /// What was found in a reduced frame, and for each pixel of the whole one where it belongs.
@@ -95,64 +127,110 @@ class Enlargement {
     patches_.normals.ptr<cv::Vec3f>()[pixel] = found_.patches().normals.ptr<cv::Vec3f>()[block];
   }
 
+  /// A block that a pixel may belong to.
+  struct Candidate {
+    int block;
+    float u, v;
+    Eigen::Vector3f point, normal;
+    bool has_normal;
+    cv::Vec3b colour;
+  };
+
+  /// The blocks around one that have a surface, row by row.
+  struct Candidates {
+    std::array<Candidate, 9> all;
+    std::size_t count = 0;
+    std::span<const Candidate> span() const { return {all.data(), count}; }
+  };
+
+  Candidate candidate(int u, int v) const {
+    const int block = v * small_.width() + u;
+    const cv::Vec3f& n = found_.patches().normals.ptr<cv::Vec3f>()[block];
+    const Eigen::Vector3f normal(n[0], n[1], n[2]);
+    const cv::Vec3b colour = frame_.has_colour() ? small_.colour.ptr<cv::Vec3b>()[block] : cv::Vec3b(0, 0, 0);
+    return {block, float(u), float(v), small_.point(block), normal, !normal.isZero(), colour};
+  }
+
+  Candidates candidates_around(int u, int v) const {
+    Candidates candidates;
+    for (int y = std::max(0, v - 1); y <= std::min(small_.height() - 1, v + 1); ++y)
+      for (int x = std::max(0, u - 1); x <= std::min(small_.width() - 1, u + 1); ++x)
+        if (surface_at(y * small_.width() + x) != 0) candidates.all[candidates.count++] = candidate(x, y);
+    return candidates;
+  }
+
   void fill(int u, int v) {
     const int block = v * small_.width() + u;
     const bool inside = is_inside(u, v);
-    if (inside && surface_at(block) == 0) return;
+    if (inside) {
+      if (surface_at(block) == 0) return;
+      for_block(frame_.depth.size(), factor_, u, v, [&](int pixel) {
+        if (frame_.valid(pixel)) put(pixel, block);
+      });
+      return;
+    }
+    const Candidates candidates = candidates_around(u, v);
+    if (candidates.count == 0) return;
     for_block(frame_.depth.size(), factor_, u, v, [&](int pixel) {
-      if (!frame_.valid(pixel)) return;
-      if (inside)
-        put(pixel, block);
-      else if (const int source = source_of(pixel, u, v); source >= 0)
-        put(pixel, source);
+      if (frame_.valid(pixel)) put(pixel, most_alike(pixel, candidates.span()));
     });
-    if (!inside && surface_at(block) != 0) put(most_alike(u, v), block);
+    if (surface_at(block) != 0) put(most_alike_of(u, v), block);
   }
 
-  /// The block that a pixel belongs to; -1 where none around it has a surface.
-  int source_of(int pixel, int u, int v) const {
-    int best = -1;
+  /// The block that a pixel belongs to.
+  int most_alike(int pixel, std::span<const Candidate> candidates) const {
+    const PixelDifference difference(*this, pixel);
+    int best = candidates.front().block;
     float least = std::numeric_limits<float>::infinity();
-    for (int y = std::max(0, v - 1); y <= std::min(small_.height() - 1, v + 1); ++y)
-      for (int x = std::max(0, u - 1); x <= std::min(small_.width() - 1, u + 1); ++x) {
-        const int block = y * small_.width() + x;
-        if (surface_at(block) == 0) continue;
-        const float d = difference(pixel, block, x, y);
-        if (d < least) least = d, best = block;
-      }
+    for (const Candidate& candidate : candidates) {
+      const float d = difference(candidate, least);
+      if (d < least) least = d, best = candidate.block;
+    }
     return best;
   }
 
-  float difference(int pixel, int block, int u, int v) const {
-    const Eigen::Vector3f p = frame_.point(pixel), away = p - small_.point(block);
-    const cv::Vec3f& n = found_.patches().normals.ptr<cv::Vec3f>()[block];
-    const Eigen::Vector3f normal(n[0], n[1], n[2]);
-    const float depth = normal.isZero() ? away.z() : normal.dot(away);
-    const float step = float(small_.noise.at(double(p.z()))) + p.z() / float(small_.camera.fx);
-    // A tangent plane goes on beyond its surface: what is far away in depth is not of it, however near the plane is.
-    const float along = std::max(0.F, std::abs(away.z()) / step - 4);
-    const float width = float(frame_.width());
-    const float row = std::floor(float(pixel) / width), column = float(pixel % frame_.width());
-    const float du = (column + 0.5F) / float(factor_) - float(u) - 0.5F,
-                dv = (row + 0.5F) / float(factor_) - float(v) - 0.5F;
-    float sum = depth * depth / (step * step) + along * along + distance_weight * (du * du + dv * dv);
-    if (frame_.has_colour()) {
-      const cv::Vec3b &a = frame_.colour.ptr<cv::Vec3b>()[pixel], &b = small_.colour.ptr<cv::Vec3b>()[block];
-      for (int i = 0; i < 3; ++i) {
-        const float d = float(int(a[i]) - int(b[i])) / colour_scale;
-        sum += d * d / 3;
-      }
+  /// How little a pixel is like a block: a square distance in depth, image and colour.
+  class PixelDifference {
+   public:
+    PixelDifference(const Enlargement& enlargement, int pixel)
+        : point_(enlargement.frame_.point(pixel)),
+          step_(float(enlargement.small_.noise.at(double(point_.z()))) +
+                point_.z() / float(enlargement.small_.camera.fx)),
+          u_((float(pixel % enlargement.frame_.width()) + 0.5F) / float(enlargement.factor_)),
+          v_((float(pixel / enlargement.frame_.width()) + 0.5F) / float(enlargement.factor_)),
+          colour_(enlargement.frame_.has_colour() ? enlargement.frame_.colour.ptr<cv::Vec3b>()[pixel]
+                                                  : cv::Vec3b(0, 0, 0)),
+          channel_differences_(enlargement.channel_differences_) {}
+
+    /// Not more exact than that it is at least `enough` where it is.
+    float operator()(const Candidate& candidate, float enough) const {
+      const Eigen::Vector3f away = point_ - candidate.point;
+      const float depth = candidate.has_normal ? candidate.normal.dot(away) : away.z();
+      // A tangent plane goes on beyond its surface: what is far away in depth is not of it, however near the plane is.
+      const float along = std::max(0.F, std::abs(away.z()) / step_ - 4);
+      const float du = u_ - candidate.u - 0.5F, dv = v_ - candidate.v - 0.5F;
+      float sum = depth * depth / (step_ * step_) + along * along + distance_weight * (du * du + dv * dv);
+      if (sum >= enough) return sum;
+      for (int i = 0; i < 3; ++i)
+        sum += channel_differences_[std::size_t(std::abs(int(colour_[i]) - int(candidate.colour[i])))];
+      return sum;
     }
-    return sum;
-  }
+
+   private:
+    Eigen::Vector3f point_;
+    float step_, u_, v_;
+    cv::Vec3b colour_;
+    const std::array<float, 256>& channel_differences_;
+  };
 
   /// The pixel of a block that is always its own, so that no surface is left without any.
-  int most_alike(int u, int v) const {
+  int most_alike_of(int u, int v) const {
+    const Candidate own = candidate(u, v);
     int most_alike = v * factor_ * frame_.width() + u * factor_;
     float least = std::numeric_limits<float>::infinity();
     for_block(frame_.depth.size(), factor_, u, v, [&](int pixel) {
       if (!frame_.valid(pixel)) return;
-      const float d = difference(pixel, v * small_.width() + u, u, v);
+      const float d = PixelDifference(*this, pixel)(own, least);
       if (d < least) least = d, most_alike = pixel;
     });
     return most_alike;
@@ -162,6 +240,7 @@ class Enlargement {
   const Frame& small_;
   const Frame& frame_;
   const int factor_;
+  const std::array<float, 256> channel_differences_ = channel_differences();
   PatchMap patches_;
   cv::Mat_<int> labels_;
 };
@@ -182,22 +261,13 @@ Frame reduced(const Frame& frame, int factor) {
   tbb::parallel_for(0, size.height, [&](int v) {
     std::vector<float> depths;
     for (int u = 0; u < size.width; ++u) {
-      depths.clear();
-      for_block(frame.depth.size(), factor, u, v, [&](int pixel) {
-        if (frame.valid(pixel)) depths.push_back(frame.depth.ptr<float>()[pixel]);
-      });
-      float median = 0;
-      if (!depths.empty()) {
-        const auto middle = depths.begin() + std::ptrdiff_t((depths.size() - 1) / 2);
-        std::nth_element(depths.begin(), middle, depths.end());
-        median = *middle;
-      }
+      const float side = depth_of_side(frame, factor, u, v, depths);
       float sum = 0;
       cv::Vec3i colours(0, 0, 0);
       int count = 0;
       for_block(frame.depth.size(), factor, u, v, [&](int pixel) {
         const float z = frame.depth.ptr<float>()[pixel];
-        if (!(std::abs(z - median) <= one_side * median)) return;
+        if (!(std::abs(z - side) <= one_side * side)) return;
         sum += z;
         ++count;
         if (!colour.empty()) colours += cv::Vec3i(frame.colour.ptr<cv::Vec3b>()[pixel]);
