@@ -19,6 +19,7 @@ FORBIDDEN = {
     "core/plugin/registry.cpp": ["core/config/config.h", "core/pipeline/pipeline.h"],
     "core/config/config.cpp": ["core/pipeline/pipeline.h", "io/result/result.h"],
     "core/pipeline/pipeline.cpp": ["core/objects/object_description.h", "io/scene/input.h", "evaluation/score/evaluation.h"],
+    "core/objects/object_description.cpp": ["core/tracking/tracker.h", "io/scene/input.h"],
     "io/scene/input.cpp": ["io/dataset/tum_sequence.h", "io/result/result.h", "core/config/config_node.h"],
     "io/result/result.cpp": ["io/dataset/tum_sequence.h", "evaluation/score/evaluation.h", "core/pipeline/aside.h"],
     "evaluation/score/evaluation.cpp": ["evaluation/experiment/experiment.h", "evaluation/calibration/noise_calibration.h",
