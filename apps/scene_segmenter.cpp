@@ -82,7 +82,7 @@ SceneSegmenter::SceneSegmenter(const SegmenterOptions& options)
   if (depth_only_may_replace(options.pipeline)) depth_only_.emplace(options.pipeline, reading);
 }
 
-SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene) const {
+SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene, SceneTracker* tracker) const {
   std::error_code ignored;
   if (also_.contains("coco") && std::filesystem::equivalent(folder_of(scene), scene, ignored))
     throw OutputError((folder_of(scene) / labelled_name("coco")).string() +
@@ -109,10 +109,11 @@ SegmentedScene SceneSegmenter::segment(const std::filesystem::path& scene) const
   for (const std::string& kind : also_) more.push_back(labelled_file(folder, kind, input.frame, segmentation));
   nlohmann::json config = depth_only ? depth_only_->config() : config_;
   config["identity"] = digest((depth_only ? depth_only_->run() : run_) + content);
-  write_result(folder, input, found, config, std::move(more));
+  const nlohmann::json tracks = tracker ? tracker->update(scene_name(scene), found) : nlohmann::json();
+  write_result(folder, input, found, config, std::move(more), tracker ? &tracks : nullptr);
   const auto objects = std::count_if(segmentation.segments.begin(), segmentation.segments.end(),
                                      [](const Segment& segment) { return segment.role == Role::object; });
-  return {folder.path(), std::size_t(objects), found.percept.surfaces().surfaces.size(), found.times.total()};
+  return {folder.path(), std::size_t(objects), found.percept.surfaces().surfaces.size(), found.times.total(), tracks};
 }
 
 std::filesystem::path SceneSegmenter::folder_of(const std::filesystem::path& scene) const {

@@ -13,6 +13,7 @@
 #include "gestalt/io/scene/input.h"
 #include "pipeline_options.h"
 #include "reading_options.h"
+#include "stream/scene_tracker.h"
 
 namespace gestalt::app {
 
@@ -33,6 +34,7 @@ struct SegmentedScene {
   std::size_t objects = 0;       ///< segments that are not background
   std::size_t patches = 0;
   double milliseconds = 0;  ///< of all levels
+  nlohmann::json tracks{};  ///< of a tracker; null without
 };
 
 /// Segments scenes and writes their results, each into a folder of its own.
@@ -41,8 +43,8 @@ class SceneSegmenter {
   /// Loads config, plugins and model.
   explicit SceneSegmenter(const SegmenterOptions& options);
 
-  /// May be called from many threads, as all methods.
-  SegmentedScene segment(const std::filesystem::path& scene) const;
+  /// May be called from many threads, as all methods; with a tracker, from one at a time, in the order of the frames.
+  SegmentedScene segment(const std::filesystem::path& scene, SceneTracker* tracker = nullptr) const;
 
   /// The folder of a scene's results.
   std::filesystem::path folder_of(const std::filesystem::path& scene) const;

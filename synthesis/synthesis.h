@@ -68,7 +68,8 @@ struct SyntheticScene {
   cv::Mat_<std::uint16_t> ground_truth;  ///< 0 = no depth; 1-9 = disjoint parts of the background; 20-29 = disjoint
                                          ///< visible parts of the first object, largest first, 30-39 of the second, ...
   std::string category;
-  std::vector<SyntheticObject> objects;  ///< by number: the first has the labels 20-29
+  std::vector<SyntheticObject> objects;                           ///< by number: the first has the labels 20-29
+  Eigen::Isometry3d camera_pose = Eigen::Isometry3d::Identity();  ///< from the camera's frame to the world: z is up
 };
 
 /// The intrinsics of a Kinect (f = 525 px at a width of 640), scaled to the width.
@@ -80,11 +81,27 @@ Camera kinect_camera(int width = 640, int height = 480);
 SyntheticScene synthesize(Category category, std::uint64_t seed, int index, const Camera& camera = kinect_camera(),
                           SensorModel sensor = SensorModel::structured_light);
 
+/// A sequence of a scene: the first frame is that of synthesize(), named 0000. The camera swings by 10 degrees to
+/// either side around the vertical axis through the things, once in 60 frames; the highest third of the things (at
+/// least one) is lifted by 10 cm, carried to a place 12 cm away and back, once in 40 frames. Things keep their numbers,
+/// may hide each other and may leave the image; noise is drawn for each frame. Throws as synthesize() does.
+std::vector<SyntheticScene> synthesize_sequence(Category category, std::uint64_t seed, int index, int frames,
+                                                const Camera& camera = kinect_camera(),
+                                                SensorModel sensor = SensorModel::structured_light);
+
+/// The name of a scene, which is that of its folder.
+std::string scene_name(Category category, SensorModel sensor, std::uint64_t seed, int index);
+
 /// Fewest pixels of an object: 300 for a Kinect, in proportion to fx fy otherwise, at least 1.
 int smallest_object(const Camera& camera);
 
 /// Writes rgb.png, depth.png (millimetres), label.png and objects.json (docs/synthesis.md) into folder/<name of the
 /// scene>/. Throws OutputError.
 void write_scene(const SyntheticScene& scene, const std::filesystem::path& folder);
+
+/// Writes every frame of a sequence as write_scene() does, and the camera's poses to folder/poses.txt, as `gestalt
+/// stream
+/// --poses` reads them. Throws OutputError.
+void write_sequence(const std::vector<SyntheticScene>& frames, const std::filesystem::path& folder);
 
 }  // namespace gestalt

@@ -276,6 +276,46 @@ TEST_F(Written, SceneReadsBackAsItWas) {
   EXPECT_LT(cv::norm(metres, scene.frame.depth, cv::NORM_INF), 1e-6);
 }
 
+TEST(Sequence, BeginsWithTheSceneAndMovesCameraAndThings) {
+  const Camera camera = kinect_camera(160, 120);
+  const SyntheticScene alone = synthesize(Category::mixed_objects, 1, 0, camera);
+  const std::vector<SyntheticScene> frames = synthesize_sequence(Category::mixed_objects, 1, 0, 11, camera);
+  ASSERT_EQ(frames.size(), 11u);
+  EXPECT_TRUE(equal(frames[0].frame.colour, alone.frame.colour));
+  EXPECT_TRUE(equal(frames[0].ground_truth, alone.ground_truth));
+  EXPECT_EQ(frames[0].frame.name, "0000");
+  EXPECT_EQ(frames[10].frame.name, "0010");
+  const auto in_world = [](const SyntheticScene& scene, std::size_t i) {
+    return Eigen::Vector3d((scene.camera_pose * scene.objects[i].pose).translation());
+  };
+  std::size_t carried = 0;
+  for (std::size_t i = 0; i < alone.objects.size(); ++i) {
+    const double moved = (in_world(frames[10], i) - in_world(frames[0], i)).norm();
+    EXPECT_TRUE(moved < 1e-9 || std::abs(moved - std::hypot(0.12, 0.1) / 2) < 1e-9) << moved;
+    carried += moved > 0.01;
+  }
+  EXPECT_EQ(carried, std::max<std::size_t>(1, alone.objects.size() / 3));
+  const Eigen::AngleAxisd turned(frames[10].camera_pose.linear() * frames[0].camera_pose.linear().transpose());
+  EXPECT_NEAR(turned.angle(), CV_PI / 18 * std::sin(CV_PI / 3), 1e-9);
+}
+
+TEST_F(Written, ASequenceHasPosesByTheNamesOfItsFrames) {
+  write_sequence(synthesize_sequence(Category::boxes, 1, 0, 2, kinect_camera(160, 120)), folder_);
+  EXPECT_TRUE(fs::exists(folder_ / "0000" / "depth.png"));
+  EXPECT_TRUE(fs::exists(folder_ / "0001" / "label.png"));
+  std::istringstream poses(text_of(folder_ / "poses.txt"));
+  std::string comment, name;
+  std::getline(poses, comment);
+  for (const std::string expected : {"0000", "0001"}) {
+    double numbers[7];
+    poses >> name;
+    for (double& number : numbers) poses >> number;
+    EXPECT_TRUE(poses) << expected;
+    EXPECT_EQ(name, expected);
+    EXPECT_NEAR(Eigen::Quaterniond(numbers[6], numbers[3], numbers[4], numbers[5]).norm(), 1, 1e-5);
+  }
+}
+
 TEST_F(Written, CameraIsWrittenOnceAndNotMixed) {
   write_camera(kinect_camera(), folder_);
   write_camera(kinect_camera(), folder_);

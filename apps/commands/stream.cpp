@@ -16,6 +16,7 @@
 #include "gestalt/apps/scene_segmenter.h"
 #include "gestalt/apps/stream/frame_queue.h"
 #include "gestalt/apps/stream/frame_source.h"
+#include "gestalt/apps/stream/scene_tracker.h"
 #include "gestalt/core/base/quantile.h"
 
 namespace gestalt::app::stream_command {
@@ -28,6 +29,9 @@ struct Options {
   bool drop = false;
   std::size_t queue = 8;
   double idle = 0;  ///< seconds; 0: for ever
+  bool track = false;
+  int keep = TrackerParams().keep;  ///< frames
+  std::filesystem::path poses;      ///< of the camera; may be empty
   SegmenterOptions segmenter;
 };
 
@@ -76,19 +80,20 @@ class Summary {
 };
 
 /// One frame at a time with all threads: several at once would all be later.
-void segment_all(FrameQueue& queue, const SceneSegmenter& segmenter, Summary& summary) {
+void segment_all(FrameQueue& queue, const SceneSegmenter& segmenter, SceneTracker* tracker, Summary& summary) {
   while (const auto frame = queue.take()) {
     const Clock::time_point taken = Clock::now();
     try {
-      const SegmentedScene done = segmenter.segment(frame->scene);
+      const SegmentedScene done = segmenter.segment(frame->scene, tracker);
       const double latency = milliseconds(Clock::now() - frame->arrived);
       summary.segmented(latency);
-      const nlohmann::ordered_json line{{"frame", done.folder.filename().string()},
-                                        {"result", done.folder.string()},
-                                        {"objects", done.objects},
-                                        {"latency_ms", latency},
-                                        {"queued_ms", milliseconds(taken - frame->arrived)},
-                                        {"dropped", queue.dropped()}};
+      nlohmann::ordered_json line{{"frame", done.folder.filename().string()},
+                                  {"result", done.folder.string()},
+                                  {"objects", done.objects},
+                                  {"latency_ms", latency},
+                                  {"queued_ms", milliseconds(taken - frame->arrived)},
+                                  {"dropped", queue.dropped()}};
+      if (tracker) line["tracks"] = done.tracks;
       std::cout << line.dump(-1, ' ', false, nlohmann::ordered_json::error_handler_t::replace) << std::endl;
       if (!std::cout) return;  // nobody listens any more
     } catch (const std::exception& error) {
@@ -101,6 +106,8 @@ void segment_all(FrameQueue& queue, const SceneSegmenter& segmenter, Summary& su
 int stream(const Options& options) {
   const ThreadLimit limit(options.segmenter.pipeline.threads);
   const std::unique_ptr<FrameSource> source = open_source(options.source, options.follow);
+  std::optional<SceneTracker> tracker;
+  if (options.track) tracker.emplace(options.keep, options.poses);
   const SceneSegmenter segmenter(options.segmenter);
   const Interruption interruption;
   FrameQueue queue(options.drop ? std::nullopt : std::optional(options.queue));
@@ -113,7 +120,7 @@ int stream(const Options& options) {
     }
   });
   Summary summary;
-  segment_all(queue, segmenter, summary);
+  segment_all(queue, segmenter, tracker ? &*tracker : nullptr, summary);
   queue.abandon();
   summary.print(queue.dropped());
   feeding.get();
@@ -141,6 +148,20 @@ void add_stream(CLI::App& app, Run& run) {
           ->capture_default_str()
           ->type_name("N");
   command->add_flag("--drop", options->drop, "Keep only the newest waiting frame and drop older ones")->excludes(queue);
+  CLI::Option* track =
+      command->add_flag("--track", options->track, "Give objects numbers that they keep from frame to frame");
+  command->add_option("--keep", options->keep, "Frames for which the number of an object that is not seen is kept")
+      ->check(number_in(0, 1000000))
+      ->capture_default_str()
+      ->needs(track)
+      ->type_name("N");
+  command
+      ->add_option(
+          "--poses", options->poses,
+          "Lines `frame tx ty tz qx qy qz qw`: from the camera's frame to one that does not move, in metres, by "
+          "the frame's name, so that the camera's own motion is accounted for")
+      ->needs(track)
+      ->type_name("FILE");
   add_segmenter_options(*command, options->segmenter);
   command->footer(
       "Prints one line of JSON a frame; latency runs from a frame's arrival until its result is written.\n"

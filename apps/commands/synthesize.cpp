@@ -25,6 +25,7 @@ struct SynthesizeOptions {
   std::string category;
   std::uint64_t seed = 1;
   int count = 1;
+  int frames = 0;  ///< of each sequence; 0: scenes
   std::filesystem::path output;
   int width = 640;
   int height = 480;
@@ -59,6 +60,25 @@ std::string known_names(const std::vector<std::string>& names) {
   std::string known;
   for (const std::string& name : names) known += (known.empty() ? "" : ", ") + name;
   return known;
+}
+
+/// Each in a folder of its own below the output's.
+int synthesize_sequences(const SynthesizeOptions& options) {
+  const ThreadLimit thread_limit(options.threads);
+  const Category category = category_of(options.category);
+  const SensorModel sensor = sensor_model_of(options.sensor);
+  const Camera camera = camera_of(options);
+  const std::filesystem::path folder = std::filesystem::absolute(options.output).lexically_normal();
+  std::vector<std::string> names(std::size_t(options.count));
+  for_all(names.size(), [&](std::size_t i) {
+    names[i] = scene_name(category, sensor, options.seed, int(i));
+    const std::vector<SyntheticScene> frames =
+        synthesize_sequence(category, options.seed, int(i), options.frames, camera, sensor);
+    write_camera(camera, folder / names[i]);
+    write_sequence(frames, folder / names[i]);
+  });
+  for (const std::string& name : names) std::cout << (options.output / name).string() << '\n';
+  return success;
 }
 
 int synthesize_scenes(const SynthesizeOptions& options) {
@@ -96,6 +116,12 @@ void add_synthesize(CLI::App& app, Run& run) {
       ->capture_default_str();
   command.add_option("--count", options->count, "Scenes to make")->check(number_in(1, 100000))->capture_default_str();
   command
+      .add_option("--frames", options->frames,
+                  "Make sequences of this many frames instead of scenes: the camera and some of the things move, and "
+                  "things keep their numbers; each is a folder of frames with camera.yaml and poses.txt")
+      ->check(number_in(1, 10000))
+      ->type_name("N");
+  command
       .add_option("--output", options->output,
                   "Folder for <category>[_<sensor>]_<seed>_<index>/{rgb,depth,label}.png and camera.yaml; the "
                   "categories go to a file of "
@@ -123,7 +149,9 @@ void add_synthesize(CLI::App& app, Run& run) {
       ->excludes(&focal_length);
   command.add_option("--threads", options->threads, "Threads to use (0: all); the result is the same for any number")
       ->check(number_in(0, 1024));
-  command.callback([options, &run] { run = [options] { return synthesize_scenes(*options); }; });
+  command.callback([options, &run] {
+    run = [options] { return options->frames > 0 ? synthesize_sequences(*options) : synthesize_scenes(*options); };
+  });
 }
 
 const Subcommand subcommand(70, add_synthesize);

@@ -166,7 +166,7 @@ Json result_json(const Input& input, const SegmentedFrame& found, const Json& co
 }
 
 void write_result(const OutputPath& folder, const Input& input, const SegmentedFrame& found, const Json& config,
-                  std::vector<OutputFile> more) {
+                  std::vector<OutputFile> more, const Json* tracks) {
   const Segmentation& segmentation = found.segmentation;
   std::vector<OutputFile> files{{folder / "labels.png", encode_png(segmentation.labels)},
                                 {folder / "objects.png", encode_png(object_labels(segmentation))},
@@ -175,6 +175,7 @@ void write_result(const OutputPath& folder, const Input& input, const SegmentedF
   if (!input.cloud.empty()) files.push_back({folder / "labels.pcd", point_labels(input, segmentation.labels)});
   std::move(more.begin(), more.end(), std::back_inserter(files));
   Json result = result_json(input, found, config);
+  if (tracks) result["tracks"] = *tracks;
   for (const auto& [file, bytes] : files) result["files"][file.path().filename().string()] = digest(bytes);
   // A scene's name comes from a path, which may be no UTF-8.
   const OutputPath last = folder / "result.json";

@@ -57,8 +57,10 @@ GESTALT_EXPORT cv::Mat draw_graph(const Frame& frame, const SurfaceSet& surfaces
 /// unorganized clouds also labels.pcd (x y z label, the original points in their order; label 0 = in no segment), into
 /// a folder, and the files in more: all of them or, with OutputError, none. result.json comes last, and an old one is
 /// removed first, and with it what it has written and is not written now: where it is, all files are and belong
-/// together. It has their digests, by which readers see it where somebody else has changed one.
+/// together. It has their digests, by which readers see it where somebody else has changed one. tracks, if given,
+/// becomes its key of this name.
 GESTALT_EXPORT void write_result(const OutputPath& folder, const Input& input, const SegmentedFrame& found,
-                                 const nlohmann::json& config, std::vector<OutputFile> more = {});
+                                 const nlohmann::json& config, std::vector<OutputFile> more = {},
+                                 const nlohmann::json* tracks = nullptr);
 
 }  // namespace gestalt

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 if TYPE_CHECKING:
     from ._gestalt import Camera
 
-__all__ = ["CameraLike", "DepthKind", "LabelScheme", "Overrides", "Pairs", "Path", "Paths", "Scores"]
+__all__ = ["CameraLike", "DepthKind", "LabelScheme", "Overrides", "Pairs", "Path", "Paths", "Scores", "Tracks"]
 
 Path = Union[str, os.PathLike[str]]
 Paths = Union[Path, Sequence[Path]]
@@ -44,3 +44,20 @@ class Pairs(TypedDict):
     """(n, k)"""
     probabilities: NDArray[numpy.float64]
     """(n,) that both belong to one object; NaN where not classified."""
+
+
+class Tracks(TypedDict):
+    """What a tracker says of a frame (gestalt.Tracker.update)."""
+
+    numbers: dict[int, int]
+    """Of each object, by its label."""
+    new: list[int]
+    """Given for the first time."""
+    hidden: list[int]
+    """Of objects that are not seen but kept."""
+    lost: list[int]
+    """Not kept from this frame on."""
+    split: list[tuple[int, int]]
+    """A whole and the new part of it."""
+    merged: list[tuple[int, int]]
+    """A part and the whole that it is in now."""

@@ -3,11 +3,16 @@
 
 #include "arguments.h"
 
+#include <pybind11/numpy.h>
+#include <pybind11/stl/filesystem.h>
+
 #include <algorithm>
 #include <array>
 #include <string_view>
+#include <tuple>
 
 #include "gestalt/core/base/error.h"
+#include "gestalt/io/scene/input.h"
 #include "on_object.h"
 
 namespace gestalt::python {
@@ -67,6 +72,30 @@ Camera camera_of_dictionary(const py::dict& given) {
           camera_number<double>(given, "fy"), camera_number<double>(given, "cx"),  camera_number<double>(given, "cy")};
 }
 
+/// Of a matrix [fx 0 cx; 0 fy cy; 0 0 1].
+Camera camera_of_matrix(const py::object& matrix, int width, int height) {
+  const auto k = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(matrix);
+  if (!k) throw py::error_already_set();
+  if (k.ndim() != 2 || k.shape(0) != 3 || k.shape(1) != 3) throw InputError("K: expected an array of shape (3, 3)");
+  const Camera camera{width, height, k.at(0, 0), k.at(1, 1), k.at(0, 2), k.at(1, 2)};
+  if (k.at(0, 1) != 0 || k.at(1, 0) != 0 || k.at(2, 0) != 0 || k.at(2, 1) != 0 || k.at(2, 2) != 1)
+    throw InputError("K: expected fx 0 cx, 0 fy cy, 0 0 1 by rows, in pixels; if it is by columns, pass K.T");
+  return camera;
+}
+
+/// Throws InputError for a file without the image's size and for a lens that distorts.
+Camera camera_of_file(const std::filesystem::path& file) {
+  const CameraFile read = read_camera(file);
+  if (read.camera.width == 0)
+    throw InputError(file.string() + ": has no width and height; use gestalt.Camera(width, height, ...)");
+  if (read.lens.distorts())
+    throw InputError(file.string() +
+                     ": has a lens that distorts; rectify the images, or read a scene folder that has this file");
+  return read.camera;
+}
+
+auto as_tuple(const Camera& c) { return std::make_tuple(c.width, c.height, c.fx, c.fy, c.cx, c.cy); }
+
 }  // namespace
 
 std::vector<std::string> override_texts(const py::object& overrides) {
@@ -122,6 +151,19 @@ void bind_camera(py::module_& module) {
              return Camera{width, height, fx, fy, cx, cy};
            }),
            py::arg("width"), py::arg("height"), py::arg("fx"), py::arg("fy"), py::arg("cx"), py::arg("cy"))
+      .def_static(
+          "from_K", camera_of_matrix, py::arg("K"), py::arg("width"), py::arg("height"),
+          "The camera of a matrix fx 0 cx, 0 fy cy, 0 0 1, (3, 3) by rows, in pixels; width and height are those "
+          "of the image. Raises InputError for any other matrix.")
+      .def_static("from_file", camera_of_file, py::arg("file"),
+                  "The camera of a file of any kind that the command reads (docs/formats.md). Its unit of depth is not "
+                  "kept. Raises InputError for one without the image's size, and for a lens that distorts.")
+      .def("__eq__",
+           [](Self<Camera> self, const py::object& other) -> py::object {
+             if (!py::isinstance<Camera>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+             return py::bool_(as_tuple(self.object) == as_tuple(camera_of(other)));
+           })
+      .def("__hash__", [](Self<Camera> self) { return py::hash(py::cast(as_tuple(self.object))); })
       .def_property_readonly("width", on_object(&Camera::width))
       .def_property_readonly("height", on_object(&Camera::height))
       .def_property_readonly("fx", on_object(&Camera::fx))

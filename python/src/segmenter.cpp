@@ -6,6 +6,7 @@
 #include <pybind11/stl.h>
 #include <pybind11/stl/filesystem.h>
 
+#include <Eigen/Geometry>
 #include <array>
 #include <atomic>
 #include <cstdint>
@@ -23,6 +24,7 @@
 #include "gestalt/core/base/for_all.h"
 #include "gestalt/core/pipeline/learning_set.h"
 #include "gestalt/core/pipeline/run_identity.h"
+#include "gestalt/core/tracking/tracker.h"
 #include "gestalt/evaluation/score/evaluation.h"
 #include "gestalt/evaluation/score/scene_sets.h"
 #include "gestalt/io/result/result.h"
@@ -80,6 +82,7 @@ class Result {
       : source_(std::move(source)), input_(std::move(input)), found_(std::move(found)) {}
 
   const Input& input() const { return input_; }
+  const SegmentedFrame& found() const { return found_; }
   py::str name() const { return text_of(input_.frame.name); }
   py::array labels() const { return array_of(found_.segmentation.labels); }
   py::array objects_image() const { return array_of(object_labels(found_.segmentation)); }
@@ -162,6 +165,59 @@ class Result {
   Input input_;
   SegmentedFrame found_;
   nlohmann::json content_;
+};
+
+/// A rigid motion of a (4, 4) array. Throws InputError for anything else.
+std::optional<Eigen::Isometry3d> pose_of(const py::object& given) {
+  if (given.is_none()) return std::nullopt;
+  const auto array = py::array_t<double, py::array::c_style | py::array::forcecast>::ensure(given);
+  if (!array) throw py::error_already_set();
+  if (array.ndim() != 2 || array.shape(0) != 4 || array.shape(1) != 4)
+    throw InputError("pose: expected an array of shape (4, 4)");
+  Eigen::Isometry3d pose;
+  for (int row = 0; row < 4; ++row)
+    for (int column = 0; column < 4; ++column) pose.matrix()(row, column) = array.at(row, column);
+  const Eigen::Matrix3d rotation = pose.linear();
+  if (!pose.matrix().allFinite() || !(rotation * rotation.transpose()).isIdentity(0.01) || rotation.determinant() < 0 ||
+      !pose.matrix().row(3).isApprox(Eigen::RowVector4d(0, 0, 0, 1)))
+    throw InputError("pose: expected a rotation with a translation in metres, and 0 0 0 1 as the last row");
+  return pose;
+}
+
+py::list changes(const std::vector<FrameTracks::Change>& all) {
+  py::list pairs;
+  for (const auto& change : all) pairs.append(py::make_tuple(change.from, change.into));
+  return pairs;
+}
+
+/// gestalt.Tracker.
+class PyTracker {
+ public:
+  explicit PyTracker(int keep) {
+    if (keep < 0) throw py::value_error("keep: must be a number of frames, 0 or more");
+    TrackerParams params;
+    params.keep = keep;
+    tracker_ = Tracker(params);
+  }
+
+  py::dict update(Self<Result> result, const py::object& given_pose) {
+    const auto pose = pose_of(given_pose);
+    const SegmentedFrame& found = result.object.found();
+    const std::vector<ObjectDescription> objects = describe_objects(found);
+    const FrameTracks tracks = tracker_.update(found.percept.frame(), found.segmentation.labels, objects, pose);
+    py::dict numbers, all;
+    for (std::size_t i = 0; i < objects.size(); ++i) numbers[py::int_(objects[i].label)] = tracks.numbers[i];
+    all["numbers"] = numbers;
+    all["new"] = tracks.appeared;
+    all["hidden"] = tracks.hidden;
+    all["lost"] = tracks.lost;
+    all["split"] = changes(tracks.split);
+    all["merged"] = changes(tracks.merged);
+    return all;
+  }
+
+ private:
+  Tracker tracker_;
 };
 
 /// gestalt.Segmenter.
@@ -435,6 +491,20 @@ Warns about improbable input. Also raises InputError if no scene has an object, 
 scenes with colour.)")
       .def_property_readonly("config", on_object(&PySegmenter::config), "The resolved config as a dictionary.")
       .def("__repr__", on_object(&PySegmenter::text));
+
+  py::class_<PyTracker>(module, "Tracker", R"(Gives objects numbers that they keep from frame to frame.
+
+keep: frames for which the number of an object that is not seen is kept.)")
+      .def(py::init<int>(), py::kw_only(), py::arg("keep") = TrackerParams().keep)
+      .def("update", on_object(&PyTracker::update), py::arg("result"), py::arg("pose") = py::none(),
+           R"(The next frame's objects, of a gestalt.Result; call it in the order of the frames, from one thread.
+
+pose: (4, 4), from the camera's frame to one that does not move, metres; None: the camera stands still.
+
+A dictionary: numbers, the number of each object by its label; new, the numbers that are given for the first time;
+hidden, those of objects that are not seen but kept; lost, those that are not kept from this frame on; split, pairs of
+a whole and the new part of it; merged, pairs of a part and the whole that it is in now. Raises InputError for a pose
+that is not a rigid motion.)");
 
   module.def("read_scene", &read, Computing(), py::arg("scene"), py::arg("camera") = py::none(), py::kw_only(),
              py::arg("depth_scale") = py::none(), py::arg("depth_kind") = py::none(), py::arg("labels") = py::none());

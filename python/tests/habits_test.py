@@ -65,6 +65,38 @@ class HabitsTest(unittest.TestCase):
             with self.assertRaisesRegex(error, text):
                 self.segmenter(self.scene.colour, self.scene.depth, camera)
 
+    def test_a_camera_comes_from_a_matrix_or_a_file(self):
+        camera = gestalt.Camera(640, 480, 525, 525, 319.5, 239.5)
+        matrix = numpy.array([[525, 0, 319.5], [0, 525, 239.5], [0, 0, 1]])
+        self.assertEqual(gestalt.Camera.from_K(matrix, 640, 480), camera)
+        self.assertEqual(gestalt.Camera.from_K(matrix.tolist(), width=640, height=480), camera)
+        self.assertEqual(gestalt.Camera.from_file(DEMO / "camera.yaml"), camera)
+        self.assertEqual(hash(pickle.loads(pickle.dumps(camera))), hash(camera))
+        self.assertNotEqual(gestalt.Camera(640, 480, 525, 525, 319.5, 240), camera)
+        self.assertNotEqual(camera, "camera")
+        with self.assertRaisesRegex(gestalt.InputError, r"shape \(3, 3\)"):
+            gestalt.Camera.from_K([525, 525, 319.5, 239.5], 640, 480)
+        with self.assertRaisesRegex(gestalt.InputError, "pass K.T"):
+            gestalt.Camera.from_K(matrix.T, 640, 480)
+        with self.assertRaises(gestalt.InputError):
+            gestalt.Camera.from_file("missing.yaml")
+
+    def test_a_tracker_keeps_numbers(self):
+        tracker = gestalt.Tracker(keep=1)
+        first = tracker.update(self.result)
+        self.assertEqual(set(first["numbers"]), {thing.label for thing in self.result.objects})
+        self.assertEqual(sorted(first["numbers"].values()), first["new"])
+        again = tracker.update(self.result, pose=numpy.eye(4))
+        self.assertEqual(again["numbers"], first["numbers"])
+        self.assertEqual([again[event] for event in ("new", "hidden", "lost", "split", "merged")], [[]] * 5)
+        for pose, text in ((numpy.eye(3), r"shape \(4, 4\)"), (2 * numpy.eye(4), "a rotation"), (numpy.full((4, 4), numpy.nan), "a rotation")):
+            with self.assertRaisesRegex(gestalt.InputError, text):
+                tracker.update(self.result, pose)
+        with self.assertRaises(TypeError):
+            tracker.update("result")
+        with self.assertRaises(ValueError):
+            gestalt.Tracker(keep=-1)
+
     def test_overrides_may_be_a_dictionary(self):
         def config(overrides):
             return gestalt.Segmenter(overrides=overrides).config
@@ -94,7 +126,7 @@ class HabitsTest(unittest.TestCase):
             self.assertLess(len(str(caught.exception)), 300)
 
     def test_an_object_that_was_never_initialised_is_a_type_error(self):
-        for cls in (gestalt.Result, gestalt.Segmenter, gestalt.SceneView, gestalt.Camera):
+        for cls in (gestalt.Result, gestalt.Segmenter, gestalt.SceneView, gestalt.Camera, gestalt.Tracker):
             empty = cls.__new__(cls)
             own = {name for name in vars(cls) if name not in ("__init__", "__module__", "__doc__")}
             for name in sorted(own):

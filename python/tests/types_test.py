@@ -22,7 +22,7 @@ class TypesTest(unittest.TestCase):
     def test_stubs_agree_with_the_module(self):
         with tempfile.NamedTemporaryFile("w", suffix=".txt") as inherent:
             # What every class of pybind11 has, and those without a constructor.
-            inherent.write("gestalt\\._gestalt\\.(Camera|Result|SceneView|Segmenter)(\\.__init__)?\n")
+            inherent.write("gestalt\\._gestalt\\.(Camera|Result|SceneView|Segmenter|Tracker)(\\.__init__)?\n")
             # Without depth or a camera it says what is missing, so that both are optional to Python alone.
             inherent.write("gestalt\\._gestalt\\.Segmenter\\.__call__\n")
             inherent.flush()

@@ -233,5 +233,56 @@ TEST_F(StreamCommand, AFileThatIsNoSceneIsNamed) {
   EXPECT_EQ(occurrences("notes.txt: is not a scene", outcome.err), 1) << outcome.err;
 }
 
+TEST_F(StreamCommand, ObjectsKeepTheirNumbers) {
+  const std::vector<json> lines = lines_of(stream({folder.write("list.txt", paths({0, 0})), "--track"}));
+  ASSERT_EQ(lines.size(), 2u);
+  const json &first = lines[0].at("tracks"), &second = lines[1].at("tracks");
+  ASSERT_GT(first.at("objects").size(), 2u);
+  EXPECT_EQ(first.at("new").size(), first.at("objects").size());
+  EXPECT_EQ(second.at("objects"), first.at("objects"));
+  for (const char* event : {"new", "hidden", "lost", "split", "merged"}) EXPECT_TRUE(second.at(event).empty()) << event;
+  const json written = json::parse(content(out / all_names[0] / "result.json"));
+  EXPECT_EQ(written.at("tracks"), second);
+  expect_success(run_gestalt({"info", out / all_names[0] / "result.json"}));
+}
+
+TEST_F(StreamCommand, WhatIsNotSeenIsKeptForAsManyFramesAsAskedFor) {
+  const fs::path empty = folder.path() / "empty";
+  write_scene(empty, small_wall());
+  const fs::path list =
+      folder.write("list.txt", synthetic_scene(0).string() + "\n" + empty.string() + "\n" + empty.string() + "\n");
+  const std::vector<json> lines = lines_of(stream({list, "--track", "--keep", "1"}));
+  ASSERT_EQ(lines.size(), 3u);
+  const json numbers = lines[0].at("tracks").at("new");
+  EXPECT_EQ(lines[1].at("tracks").at("hidden"), numbers);
+  EXPECT_EQ(lines[2].at("tracks").at("lost"), numbers);
+  EXPECT_TRUE(lines[2].at("tracks").at("hidden").empty());
+}
+
+TEST_F(StreamCommand, WithoutTrackThereAreNoTracks) {
+  const Outcome outcome = stream({folder.write("list.txt", paths({0}))});
+  EXPECT_EQ(occurrences("tracks", outcome.out), 0);
+  EXPECT_FALSE(json::parse(content(out / all_names[0] / "result.json")).contains("tracks"));
+  EXPECT_EQ(stream({synthetic_scenes(), "--keep", "2"}).code, 2);
+  EXPECT_EQ(stream({synthetic_scenes(), "--track", "--keep", "-1"}).code, 2);
+}
+
+TEST_F(StreamCommand, PosesAreChecked) {
+  const fs::path list = folder.write("list.txt", paths({0}));
+  const auto with = [&](const std::string& poses) {
+    return stream({list, "--track", "--poses", folder.write("poses.txt", poses)});
+  };
+  EXPECT_EQ(with("# here\n\n" + all_names[0] + " 0 0 0 0 0 0 1\n").code, 0);
+  for (const std::string bad :
+       {" 0 0 0 0 0 0", " 0 0 0 0 0 0 1 1", " 0 0 0 0 0 0 2", " 0 0 nan 0 0 0 1", " 0 0 0,1 0 0 0 1"})
+    expect_refused(with("# here\n" + all_names[0] + bad + "\n"), 3, {"poses.txt:2: ", "qx qy qz qw"});
+  expect_refused(with("a 0 0 0 0 0 0 1\na 0 0 0 0 0 0 1\n"), 3, {"poses.txt:2: ", "'a' has a pose already"});
+  expect_refused(with("# none\n"), 3, {"poses.txt: has no pose"});
+  expect_refused(stream({list, "--track", "--poses", folder.path() / "missing"}), 3, {"missing: cannot be read"});
+  const Outcome other = with("other 0 0 0 0 0 0 1\n");
+  EXPECT_EQ(other.code, 1);
+  EXPECT_EQ(occurrences("has no pose of the frame '" + all_names[0] + "'", other.err), 1) << other.err;
+}
+
 }  // namespace
 }  // namespace gestalt::test
