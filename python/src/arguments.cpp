@@ -158,11 +158,13 @@ void bind_camera(py::module_& module) {
       .def_static("from_file", camera_of_file, py::arg("file"),
                   "The camera of a file of any kind that the command reads (docs/formats.md). Its unit of depth is not "
                   "kept. Raises InputError for one without the image's size, and for a lens that distorts.")
-      .def("__eq__",
-           [](Self<Camera> self, const py::object& other) -> py::object {
-             if (!py::isinstance<Camera>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
-             return py::bool_(as_tuple(self.object) == as_tuple(camera_of(other)));
-           })
+      .def(
+          "__eq__",
+          [](Self<Camera> self, const py::object& other) -> py::object {
+            if (!py::isinstance<Camera>(other)) return py::reinterpret_borrow<py::object>(Py_NotImplemented);
+            return py::bool_(as_tuple(self.object) == as_tuple(camera_of(other)));
+          },
+          py::arg("other"))
       .def("__hash__", [](Self<Camera> self) { return py::hash(py::cast(as_tuple(self.object))); })
       .def_property_readonly("width", on_object(&Camera::width))
       .def_property_readonly("height", on_object(&Camera::height))

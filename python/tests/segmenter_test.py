@@ -174,7 +174,7 @@ class PipelineTest(unittest.TestCase):
         result = self.result
         labels = set(numpy.unique(result.labels)) - {0}
         self.assertEqual(labels, {segment["label"] for segment in result.segments})
-        self.assertEqual(set(numpy.unique(result.object_labels)) - {0}, {o["label"] for o in result.objects})
+        self.assertEqual(set(numpy.unique(result.object_labels)) - {0}, {o.label for o in result.objects})
         self.assertEqual(result.patch_labels.max(), len(result.patches))
         for table in (result.structural, result.assembly):
             rows, columns = table["values"].shape
