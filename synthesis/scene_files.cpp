@@ -58,8 +58,8 @@ std::string poses_text(const std::vector<SyntheticScene>& frames) {
 
 void write_scene(const SyntheticScene& scene, const std::filesystem::path& folder) {
   const OutputPath place = OutputPath(folder) / scene.frame.name;
-  write_files({{place / "objects.json", objects_text(scene.objects)}});
-  write_scene_folder(place, {scene.frame.colour, depth_in_millimetres(scene.frame), scene.ground_truth});
+  write_scene_folder(place, {scene.frame.colour, depth_in_millimetres(scene.frame), scene.ground_truth},
+                     {{place / "objects.json", objects_text(scene.objects)}});
 }
 
 void write_sequence(const std::vector<SyntheticScene>& frames, const std::filesystem::path& folder) {

@@ -237,6 +237,15 @@ TEST(Synthesis, CameraIsAKinectOfAnyWidth) {
   EXPECT_EQ(smallest_object(kinect_camera(4, 3)), 1);
 }
 
+TEST_F(Written, NothingIsLeftOfASceneThatCannotBe) {
+  const SyntheticScene scene = synthesize(Category::boxes, 7, 0);
+  const fs::path place = folder_ / scene.frame.name;
+  fs::create_directories(place / "depth.png");  // where the image would be
+  EXPECT_THROW(write_scene(scene, folder_), OutputError);
+  EXPECT_FALSE(fs::exists(place / "objects.json"));
+  EXPECT_FALSE(fs::exists(place / "rgb.png"));
+}
+
 TEST(Synthesis, ObjectsAreInTheBoxesThatAreTold) {
   for (const Category category : {Category::boxes, Category::cylindric_objects, Category::packages}) {
     const SyntheticScene scene = synthesize(category, 7, 0);

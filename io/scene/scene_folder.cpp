@@ -8,6 +8,7 @@
 #include <limits>
 #include <locale>
 #include <sstream>
+#include <utility>
 
 #include "gestalt/core/base/error.h"
 #include "gestalt/core/base/file_bytes.h"
@@ -60,8 +61,9 @@ cv::Mat_<std::uint16_t> depth_in_units(const Frame& frame, double metres) {
 
 cv::Mat_<std::uint16_t> depth_in_millimetres(const Frame& frame) { return depth_in_units(frame, 0.001); }
 
-void write_scene_folder(const OutputPath& folder, const SceneImages& images) {
-  write_files(image_files(folder, images));
+void write_scene_folder(const OutputPath& folder, const SceneImages& images, std::vector<OutputFile> others) {
+  for (OutputFile& image : image_files(folder, images)) others.push_back(std::move(image));
+  write_files(others);
 }
 
 void write_scene_folder(const OutputPath& folder, const SceneImages& images, const Camera& camera, double depth_scale) {

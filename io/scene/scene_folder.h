@@ -6,6 +6,7 @@
 #include <map>
 #include <opencv2/core.hpp>
 #include <string>
+#include <vector>
 
 #include "gestalt/core/base/output_file.h"
 #include "gestalt/core/scene/frame.h"
@@ -27,8 +28,9 @@ GESTALT_EXPORT cv::Mat_<std::uint16_t> depth_in_units(const Frame& frame, double
 /// The same in millimetres.
 GESTALT_EXPORT cv::Mat_<std::uint16_t> depth_in_millimetres(const Frame& frame);
 
-/// Writes folder/{rgb,label,depth}.png, all or none. Throws OutputError.
-GESTALT_EXPORT void write_scene_folder(const OutputPath& folder, const SceneImages& images);
+/// Writes folder/{rgb,label,depth}.png and other files of the scene, all or none. Throws OutputError.
+GESTALT_EXPORT void write_scene_folder(const OutputPath& folder, const SceneImages& images,
+                                       std::vector<OutputFile> others = {});
 
 /// The same with folder/camera.yaml. depth_scale: metres for each unit of the depth image, in [1e-6, 1].
 GESTALT_EXPORT void write_scene_folder(const OutputPath& folder, const SceneImages& images, const Camera& camera,
