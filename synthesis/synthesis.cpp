@@ -105,6 +105,7 @@ std::vector<std::size_t> highest_third(const std::vector<Body>& things) {
     return highest;
   };
   std::vector<double> tops;
+  tops.reserve(order.size());
   for (const std::size_t i : order) tops.push_back(top(i));
   std::stable_sort(order.begin(), order.end(), [&](std::size_t x, std::size_t y) { return tops[x] > tops[y]; });
   order.resize(std::max<std::size_t>(1, things.size() / 3));

@@ -69,7 +69,10 @@ std::map<std::string, Eigen::Isometry3d> read_poses(const std::filesystem::path&
                        "expected a frame's name and seven numbers, tx ty tz in metres and the unit quaternion "
                        "qx qy qz qw");
     if (!poses.emplace(name, *pose).second)
-      throw InputError(place + "the frame '" + name + "' has a pose already; remove one of both lines");
+      throw InputError(std::string(place)
+                           .append("the frame '")
+                           .append(name)
+                           .append("' has a pose already; remove one of the two lines"));
   }
   if (text.bad()) throw InputError(file.string() + ": cannot be read");
   if (poses.empty()) throw InputError(file.string() + ": has no pose; leave out --poses if there is none");

@@ -119,6 +119,15 @@ TEST(Contract, OfAClusterer) {
       {"another size", [](PatchMap& p) { p.normals = p.normals.rowRange(0, 2); }},
       {"the label 7", [](PatchMap& p) { p.labels(3, 3) = 7; }},
       {"the label -1", [](PatchMap& p) { p.labels(3, 3) = -1; }},
+      {"no pixel of the label 2, of 2 patches", [](PatchMap& p) { p.count = 2; }},
+      {"2147483647 patches", [](PatchMap& p) { p.count = 2147483647; }},
+      {"-1 patches", [](PatchMap& p) { p.count = -1; }},
+      {"a part of a larger image",
+       [](PatchMap& p) {
+         cv::Mat_<int> larger(p.labels.rows, p.labels.cols + 7, 1);
+         larger.colRange(0, p.labels.cols).setTo(1);
+         p.labels = larger.colRange(0, p.labels.cols);
+       }},
       {"cut_from of 3 numbers for 1 patches",
        [](PatchMap& p) {
          p.cut_from = {1, 1, 1};

@@ -191,13 +191,15 @@ class Enlargement {
 
   /// How little a pixel is like a block: a square distance in depth, image and colour.
   class PixelDifference {
+    static int row_of(const Frame& frame, int pixel) { return pixel / frame.width(); }
+
    public:
     PixelDifference(const Enlargement& enlargement, int pixel)
         : point_(enlargement.frame_.point(pixel)),
           step_(float(enlargement.small_.noise.at(double(point_.z()))) +
                 point_.z() / float(enlargement.small_.camera.fx)),
           u_((float(pixel % enlargement.frame_.width()) + 0.5F) / float(enlargement.factor_)),
-          v_((float(pixel / enlargement.frame_.width()) + 0.5F) / float(enlargement.factor_)),
+          v_((float(row_of(enlargement.frame_, pixel)) + 0.5F) / float(enlargement.factor_)),
           colour_(enlargement.frame_.has_colour() ? enlargement.frame_.colour.ptr<cv::Vec3b>()[pixel]
                                                   : cv::Vec3b(0, 0, 0)),
           channel_differences_(enlargement.channel_differences_) {}

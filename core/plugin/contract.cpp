@@ -22,6 +22,12 @@ void require_patches(ComponentName clusterer, const PatchMap& patches, const Fra
   if (!patches.cut_from.empty() && patches.cut_from.size() != std::size_t(std::max(0, patches.count)))
     broken(clusterer, "cut_from of " + std::to_string(patches.cut_from.size()) + " numbers for " +
                           std::to_string(patches.count) + " patches");
+  if (!patches.labels.isContinuous() || !patches.normals.isContinuous())
+    broken(clusterer, "labels or normals that are a part of a larger image; clone() them");
+  if (patches.count < 0 || std::size_t(patches.count) > frame.depth.total())
+    broken(clusterer,
+           std::to_string(patches.count) + " patches for " + std::to_string(frame.depth.total()) + " pixels");
+  std::vector<bool> used(std::size_t(patches.count) + 1, false);
   for (int v = 0; v < frame.height(); ++v) {
     const int* label = patches.labels[v];
     const cv::Vec3f* normal = patches.normals[v];
@@ -30,10 +36,15 @@ void require_patches(ComponentName clusterer, const PatchMap& patches, const Fra
       if (label[u] < 0 || label[u] > patches.count)
         broken(clusterer,
                "the label " + std::to_string(label[u]) + ", of " + std::to_string(patches.count) + " patches");
+      used[std::size_t(label[u])] = true;
       if (label[u] > 0 && !(depth[u] > 0)) broken(clusterer, "a label for a pixel without depth");
       if (!std::isfinite(normal[u][0] + normal[u][1] + normal[u][2])) broken(clusterer, "a normal that is not finite");
     }
   }
+  for (int label = 1; label <= patches.count; ++label)
+    if (!used[std::size_t(label)])
+      broken(clusterer,
+             "no pixel of the label " + std::to_string(label) + ", of " + std::to_string(patches.count) + " patches");
 }
 
 void require_groups(ComponentName solver, const std::vector<int>& groups, std::size_t nodes) {

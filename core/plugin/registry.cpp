@@ -73,6 +73,11 @@ Registry::Registry(std::vector<fs::path> directories) : searched_(std::move(dire
 
 void Registry::open(const fs::path& library) {
   const gestalt_manifest* manifest = nullptr;
+  std::error_code ignored;
+  if (!fs::is_regular_file(library, ignored)) {  // a pipe would be waited for without end
+    rejected_.push_back({library, "it is not a regular file"});
+    return;
+  }
   try {
     boost::dll::shared_library handle(library.string(), load_mode);
     if (!handle.has(GESTALT_ENTRY_SYMBOL)) {

@@ -3,6 +3,7 @@
 
 // MCAP files: https://mcap.dev/spec
 
+#include <boost/crc.hpp>
 #include <map>
 #include <optional>
 
@@ -68,10 +69,15 @@ class McapBag final : public Bag {
     ByteReader reader(chunk);
     reader.bytes(16);  // times
     const auto size = reader.number<std::uint64_t>();
-    reader.bytes(4);  // checksum
+    const auto expected = reader.number<std::uint32_t>();
     const std::string_view compression = reader.text();
     const auto stored = reader.number<std::uint64_t>();
-    return gestalt::decompressed(reader.bytes(stored), compression, size);
+    std::string records = gestalt::decompressed(reader.bytes(stored), compression, size);
+    boost::crc_32_type checksum;
+    checksum.process_bytes(records.data(), records.size());
+    if (expected != 0 && expected != checksum.checksum())  // 0: the writer has computed none
+      throw InputError("a chunk's checksum is not that of its data; the file is damaged, copy it again");
+    return records;
   }
 
   void scan_chunk(std::uint64_t place, const std::string& chunk, const Take& take) {

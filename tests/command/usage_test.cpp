@@ -2,6 +2,7 @@
 // SPDX-License-Identifier: BSD-3-Clause
 
 #include <gtest/gtest.h>
+#include <sys/stat.h>
 
 #include <array>
 #include <cstdio>
@@ -286,6 +287,16 @@ TEST(Plugins, ARejectedLibraryIsListedAndHindersNobody) {
   EXPECT_EQ(occurrences(library.string() + ": ", list.out), 1) << list.out;
   EXPECT_GT(occurrences("interface 0", list.out), 0) << list.out;
   expect_success(run_gestalt({"config", "check"}, path));
+}
+
+TEST(Plugins, APipeInAFolderOfPluginsIsNotWaitedFor) {
+  const TemporaryFolder folder;
+  const fs::path pipe = folder.path() / "relation_pipe.so";
+  ASSERT_EQ(::mkfifo(pipe.c_str(), 0600), 0);
+  const Outcome list =
+      run_gestalt({"plugins", "list"}, {.variables = {"GESTALT_PLUGIN_PATH=" + folder.path().string()}});
+  expect_success(list);
+  EXPECT_EQ(occurrences(pipe.string() + ": it is not a regular file", list.out), 1) << list.out;
 }
 
 TEST(Configs, WhatIsPrintedReadsBackToTheSame) {

@@ -101,6 +101,14 @@ class RecordingsTest(unittest.TestCase):
                         self.assertIn("breaks off", done.stderr)
                     shutil.rmtree(self.out, ignore_errors=True)
 
+    def test_a_chunk_that_differs_from_its_checksum_is_refused(self):
+        damaged = bytearray((HERE / "zstd.mcap").read_bytes())
+        damaged[6393] = 0
+        file = self.folder / "damaged.mcap"
+        file.write_bytes(damaged)
+        self.assertIn("checksum", self.convert(file, code=3))
+        self.assertFalse(self.out.exists())
+
     def test_a_database_that_is_none_of_rosbag2_is_refused(self):
         for schema, why in (
             ("CREATE TABLE other(id)", "has no table 'topics'"),
