@@ -159,21 +159,23 @@ BagFrames::BagFrames(fs::path file, const BagTopics& given) : file_(std::move(fi
   depth_ = depth.topic;
   notes_.push_back("depth of " + depth_name + (colour_name.empty() ? ", no colour" : ", colour of " + colour_name));
   if (!bag_->broken_off().empty())
-    warnings_.push_back("breaks off (" + bag_->broken_off() + "); the messages before are read");
+    warnings_.push_back(file_.string() + ": " + "breaks off (" + bag_->broken_off() +
+                        "); the messages before are read");
 
   if (const Found* camera = camera_beside(topics, depth_name)) {
     camera_ = camera_of(camera->topic, *camera->camera, has_word(depth_name, {"rect"}));
     camera_->file = file_;
     notes_.push_back("camera of " + camera->topic.name);
     if (camera->camera_changes)
-      warnings_.push_back(camera->topic.name + " changes in the recording; the first is used for all frames");
+      warnings_.push_back(file_.string() + ": " + camera->topic.name +
+                          " changes in the recording; the first is used for all frames");
   }
   const bool registered = preference(depth_name, depth_) >= 8;
   const Found* const colour_camera = colour_name.empty() ? nullptr : camera_beside(topics, colour_name);
   if (camera_ && !registered && colour_camera &&
       without_stamp(colour_camera->topic, *colour_camera->camera) !=
           without_stamp(colour_camera->topic, *camera_beside(topics, depth_name)->camera))
-    warnings_.push_back("depth of " + depth_name + " and colour of " + colour_name +
+    warnings_.push_back(file_.string() + ": " + "depth of " + depth_name + " and colour of " + colour_name +
                         " are of different cameras and not registered; record depth that is aligned to colour, or give "
                         "its topic with --depth-topic");
 

@@ -38,7 +38,7 @@ class GESTALT_EXPORT BagFrames {
 
   const std::vector<BagFrame>& frames() const { return frames_; }
 
-  /// What was chosen and left out, without the file's name.
+  /// What was chosen and left out, without the file's name; warnings name it, as those of Input do.
   const std::vector<std::string>& notes() const { return notes_; }
   const std::vector<std::string>& warnings() const { return warnings_; }
 

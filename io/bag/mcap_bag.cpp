@@ -33,11 +33,13 @@ class McapBag final : public Bag {
       const auto size = reader.number<std::uint64_t>();
       if (op == Op::footer || op == Op::data_end) return;
       if (size > file_.size() - place - head) return end_early(place);
-      try {
-        read_record(op, place, size, take);
-      } catch (const InputError& error) {
-        if (std::string(error.what()).find(": byte ") != std::string::npos) throw;
-        file_.fail(place, error.what());
+      if (op == Op::schema || op == Op::channel || op == Op::message || op == Op::chunk) {
+        const std::string content = file_.read(place + head, size);
+        try {
+          read_record(op, place, content, take);
+        } catch (const InputError& error) {
+          file_.fail(place, error.what());
+        }
       }
       place += head + size;
     }
@@ -56,9 +58,7 @@ class McapBag final : public Bag {
     broken_off_ = "byte " + std::to_string(place) + ": the last record is incomplete";
   }
 
-  void read_record(Op op, std::uint64_t place, std::uint64_t size, const Take& take) {
-    if (op != Op::schema && op != Op::channel && op != Op::message && op != Op::chunk) return;
-    const std::string content = file_.read(place + head, size);
+  void read_record(Op op, std::uint64_t place, const std::string& content, const Take& take) {
     if (op == Op::chunk)
       scan_chunk(place, decompressed(content), take);
     else

@@ -93,13 +93,11 @@ class RecordingsTest(unittest.TestCase):
             with self.subTest(file=file):
                 whole = (HERE / file).read_bytes()
                 cut = self.folder / file
-                for share in (0.5, 0.8, 0.97):
+                for share, frames in ((0.5, 1), (0.8, 1 if file.endswith("mcap") else 2)):
                     cut.write_bytes(whole[: int(share * len(whole))])
-                    done = gestalt("convert", cut, "--output", self.out)
-                    self.assertIn(done.returncode, (0, 1, 3), done.stderr)
-                    if done.returncode == 0 and len(self.scenes()) < 2:
-                        self.assertIn("breaks off", done.stderr)
-                    shutil.rmtree(self.out, ignore_errors=True)
+                    self.assertIn("warning: " + str(cut) + ": breaks off", self.convert(cut))
+                    self.assertEqual(len(self.scenes()), frames)
+                    shutil.rmtree(self.out)
 
     def test_a_chunk_that_differs_from_its_checksum_is_refused(self):
         damaged = bytearray((HERE / "zstd.mcap").read_bytes())
